@@ -1,0 +1,139 @@
+// SPDX-FileCopyrightText: 2026 The Hindsight authors
+// SPDX-License-Identifier: BSD-2-Clause
+#include "perception/bottom_finder.h"
+
+#include <algorithm>
+
+namespace hindsight {
+namespace {
+
+constexpr float kNoContact = -1.0F;
+
+}  // namespace
+
+BottomFinder::BottomFinder(const BottomFinderParams& params, const CameraModel& camera,
+                           const GroundPlane& ground, double cell_m)
+    : params_(params),
+      width_px_(camera.width_px),
+      strip_px_(params.strip_px),
+      patches_(make_ground_patches(params, camera, ground, cell_m)) {
+  const auto strips = static_cast<std::size_t>(patches_.strips);
+  for (auto* counter : {&column_good_, &column_bad_, &column_lethal_})
+    counter->resize(strips * static_cast<std::size_t>(strip_px_), 0);
+  counts_.resize(strips);
+  walks_.resize(strips);
+  contact_row_px_.resize(strips, kNoContact);
+  votes_.reserve(patches_.samples.size() + 2 * patches_.patches.size());
+}
+
+std::span<const GroundVote> BottomFinder::find(std::span<const TerrainClass> labels) {
+  votes_.clear();
+  std::fill(walks_.begin(), walks_.end(), Walk{});
+  std::fill(contact_row_px_.begin(), contact_row_px_.end(), kNoContact);
+  for (int band = 0; band < static_cast<int>(patches_.bands.size()); ++band) {
+    count(labels, patches_.bands[static_cast<std::size_t>(band)]);
+    walk_band(band);
+  }
+  for (int strip = 0; strip < patches_.strips; ++strip) finish_obstacle(strip);
+  return votes_;
+}
+
+/// How many pixels of each class each strip has in a band.
+void BottomFinder::count(std::span<const TerrainClass> labels, const PatchBand& band) {
+  const auto width = static_cast<std::size_t>(width_px_);
+  std::uint8_t* const good = column_good_.data();
+  std::uint8_t* const bad = column_bad_.data();
+  std::uint8_t* const lethal = column_lethal_.data();
+  for (auto* counter : {&column_good_, &column_bad_, &column_lethal_})
+    std::fill(counter->begin(), counter->end(), std::uint8_t{0});
+  const auto good_also = params_.unknown == "good" ? TerrainClass::unknown : TerrainClass::good;
+  const auto bad_also = params_.unknown == "bad" ? TerrainClass::unknown : TerrainClass::bad;
+  for (int row = band.begin; row < band.end; ++row) {
+    const TerrainClass* const label = labels.data() + static_cast<std::size_t>(row) * width;
+    for (std::size_t x = 0; x < width; ++x) {
+      const TerrainClass l = label[x];
+      good[x] = static_cast<std::uint8_t>(good[x] + ((l == TerrainClass::good) | (l == good_also)));
+      bad[x] = static_cast<std::uint8_t>(bad[x] + ((l == TerrainClass::bad) | (l == bad_also)));
+      lethal[x] = static_cast<std::uint8_t>(lethal[x] + (l == TerrainClass::lethal));
+    }
+  }
+  std::size_t x = 0;
+  for (Counts& strip : counts_) {
+    int g = 0, b = 0, d = 0;
+    for (const std::size_t end = x + static_cast<std::size_t>(strip_px_); x < end; ++x)
+      g += good[x], b += bad[x], d += lethal[x];
+    strip = {static_cast<std::uint16_t>(g), static_cast<std::uint16_t>(b), static_cast<std::uint16_t>(d)};
+  }
+}
+
+/// All strips go up by one band. Good pixels of neighbouring strips vote together where the ground between
+/// them is less than step_m, which spares most votes of the near field.
+void BottomFinder::walk_band(int band) {
+  const GroundPatch* const patch = &patches_.at(0, band);
+  const int most_together = patches_.bands[static_cast<std::size_t>(band)].strips_together,
+            strips = patches_.strips;
+  int good_px = 0, together = 0;
+  for (int strip = 0; strip < strips; ++strip) {
+    good_px += step(strip, band, patch[strip], counts_[static_cast<std::size_t>(strip)]);
+    if (++together < most_together && strip + 1 < strips) continue;
+    if (good_px > 0) vote_good(patch[strip - together / 2], good_px);
+    good_px = together = 0;
+  }
+}
+
+/// One strip goes up by one band. Returns its good pixels that lie on the ground here.
+int BottomFinder::step(int strip, int band, const GroundPatch& here, const Counts& counts) {
+  Walk& walk = walks_[static_cast<std::size_t>(strip)];
+  const int obstacle_px = counts.bad + counts.lethal;
+  const bool obstacle_here = obstacle_px > 0 && obstacle_px >= counts.good;
+  const int min_run_px = params_.min_run_px * strip_px_;
+
+  if (!walk.in_obstacle) {
+    const int good_px = here.sample_count > 0 ? counts.good : 0;
+    if (obstacle_here) {
+      const bool first = walk.bad_px + walk.lethal_px == 0;
+      if (first && here.sample_count == 0) return 0;  // sky, or ground too far to tell
+      if (first) walk.contact_band = band;
+      walk.bad_px += counts.bad;
+      walk.lethal_px += counts.lethal;
+      walk.in_obstacle = walk.bad_px + walk.lethal_px >= min_run_px;
+    } else if (counts.good > 0) {
+      walk = {};  // a speck
+    }
+    return good_px;
+  }
+  walk.bad_px += counts.bad;
+  walk.lethal_px += counts.lethal;
+  walk.good_run_px = obstacle_here ? 0 : walk.good_run_px + counts.good;
+  if (params_.ground_resumes_px > 0 && walk.good_run_px >= params_.ground_resumes_px * strip_px_)
+    finish_obstacle(strip);
+  return 0;
+}
+
+void BottomFinder::vote_good(const GroundPatch& patch, int pixels) {
+  const float weight = patch.ground_weight * static_cast<float>(pixels);
+  for (std::uint32_t k = patch.first_sample; k < patch.first_sample + patch.sample_count; ++k)
+    votes_.push_back({patches_.samples[k].x_m, patches_.samples[k].y_m, weight, TerrainClass::good});
+}
+
+/// The weight of the obstacle that a strip has walked over goes to where it meets the ground.
+void BottomFinder::finish_obstacle(int strip) {
+  Walk& walk = walks_[static_cast<std::size_t>(strip)];
+  if (walk.in_obstacle) {
+    const GroundPatch& contact = patches_.at(strip, walk.contact_band);
+    const float pixels = static_cast<float>(walk.bad_px + walk.lethal_px);
+    const float weight = contact.obstacle_weight * std::min(1.0F, contact.max_obstacle_px / pixels);
+    const auto cast = [&](int px, TerrainClass label) {
+      if (px > 0)
+        votes_.push_back({contact.contact.x_m, contact.contact.y_m, weight * static_cast<float>(px), label});
+    };
+    cast(walk.bad_px, TerrainClass::bad);
+    cast(walk.lethal_px, TerrainClass::lethal);
+    float& row = contact_row_px_[static_cast<std::size_t>(strip)];
+    if (row == kNoContact)
+      row = static_cast<float>(patches_.bands[static_cast<std::size_t>(walk.contact_band)].end - 1);
+  }
+  walk = {};
+}
+
+}  // namespace hindsight

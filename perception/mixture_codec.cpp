@@ -1,0 +1,147 @@
+// SPDX-FileCopyrightText: 2026 The Hindsight authors
+// SPDX-License-Identifier: BSD-2-Clause
+#include "perception/mixture_codec.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Cholesky>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <concepts>
+
+namespace hindsight {
+namespace {
+
+constexpr std::array<std::uint8_t, 4> kMagic{'H', 'S', 'M', 'X'};
+constexpr std::uint16_t kVersion = 1;
+constexpr std::size_t kHeaderBytes = 12, kComponentBytes = 13 * 8 + 1, kChecksumBytes = 4;
+
+/// IEEE 802.3, as in zip and Ethernet.
+std::uint32_t crc32(std::span<const std::uint8_t> bytes) {
+  std::uint32_t crc = ~0u;
+  for (const std::uint8_t byte : bytes) {
+    crc ^= byte;
+    for (int bit = 0; bit < 8; ++bit) crc = crc >> 1 ^ ((crc & 1u) != 0 ? 0xEDB88320u : 0u);
+  }
+  return ~crc;
+}
+
+void put(std::vector<std::uint8_t>& out, std::unsigned_integral auto value) {
+  for (std::size_t i = 0; i < sizeof value; ++i) out.push_back(static_cast<std::uint8_t>(value >> (8 * i)));
+}
+
+void put(std::vector<std::uint8_t>& out, double value) { put(out, std::bit_cast<std::uint64_t>(value)); }
+
+/// Reads little-endian numbers; only within bytes whose length was checked before.
+class Reader {
+ public:
+  explicit Reader(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
+
+  template <std::unsigned_integral Number>
+  Number take() {
+    Number value = 0;
+    for (std::size_t i = 0; i < sizeof value; ++i) {
+      value = static_cast<Number>(value | static_cast<Number>(bytes_[at_ + i]) << (8 * i));
+    }
+    at_ += sizeof value;
+    return value;
+  }
+  double take_double() { return std::bit_cast<double>(take<std::uint64_t>()); }
+  std::size_t at() const { return at_; }
+
+ private:
+  std::span<const std::uint8_t> bytes_;
+  std::size_t at_ = 0;
+};
+
+MixtureComponent take_component(Reader& in) {
+  MixtureComponent c;
+  for (double& m : c.mean) m = in.take_double();
+  for (int row = 0; row < 3; ++row) {
+    for (int column = row; column < 3; ++column)
+      c.covariance(row, column) = c.covariance(column, row) = in.take_double();
+  }
+  c.weight_px = in.take_double();
+  for (double& v : c.votes) v = in.take_double();
+  c.label = static_cast<TerrainClass>(in.take<std::uint8_t>());
+  return c;
+}
+
+bool sound(const MixtureComponent& c) {
+  if (!c.mean.allFinite() || !c.covariance.allFinite() || c.label > TerrainClass::unknown) return false;
+  if (!std::isfinite(c.weight_px) || c.weight_px < 0.0) return false;
+  for (const double v : c.votes) {
+    if (!std::isfinite(v) || v < 0.0) return false;
+  }
+  return c.covariance.llt().info() == Eigen::Success;
+}
+
+/// What is wrong with header, length or checksum; empty if nothing.
+std::string envelope_problem(std::span<const std::uint8_t> bytes) {
+  if (bytes.size() < kHeaderBytes + kChecksumBytes) {
+    return fmt::format("ends at byte {}, within the header", bytes.size());
+  }
+  Reader in(bytes);
+  for (const std::uint8_t magic : kMagic) {
+    if (in.take<std::uint8_t>() != magic) return "byte 0: is no mixture (expected \"HSMX\")";
+  }
+  if (const auto version = in.take<std::uint16_t>(); version != kVersion) {
+    return fmt::format("byte 4: version {}, expected {}", version, kVersion);
+  }
+  if (const auto space = in.take<std::uint8_t>(); space > 1)
+    return fmt::format("byte 6: colour space {}", space);
+  if (in.take<std::uint8_t>() != 0) return "byte 7: expected 0";
+  const auto count = in.take<std::uint32_t>();
+  if (count > kMostComponents)
+    return fmt::format("byte 8: {} components, at most {}", count, kMostComponents);
+  const std::size_t expected = kHeaderBytes + count * kComponentBytes + kChecksumBytes;
+  if (bytes.size() != expected)
+    return fmt::format("is {} bytes long, {} components take {}", bytes.size(), count, expected);
+  const auto body = bytes.first(expected - kChecksumBytes);
+  if (crc32(body) != Reader(bytes.last(kChecksumBytes)).take<std::uint32_t>()) {
+    return fmt::format("byte {}: the checksum does not fit", body.size());
+  }
+  return {};
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> encode_mixture(const MixtureSnapshot& mixture) {
+  std::vector<std::uint8_t> out;
+  out.reserve(kHeaderBytes + mixture.components.size() * kComponentBytes + kChecksumBytes);
+  for (const std::uint8_t magic : kMagic) put(out, magic);
+  put(out, kVersion);
+  put(out, static_cast<std::uint8_t>(mixture.color_space));
+  put(out, std::uint8_t{0});
+  put(out, static_cast<std::uint32_t>(mixture.components.size()));
+  for (const MixtureComponent& c : mixture.components) {
+    for (const double m : c.mean) put(out, m);
+    for (int row = 0; row < 3; ++row) {
+      for (int column = row; column < 3; ++column) put(out, c.covariance(row, column));
+    }
+    put(out, c.weight_px);
+    for (const double v : c.votes) put(out, v);
+    put(out, static_cast<std::uint8_t>(c.label));
+  }
+  put(out, crc32(out));
+  return out;
+}
+
+MixtureDecoded decode_mixture(std::span<const std::uint8_t> bytes) {
+  MixtureDecoded result;
+  result.problem = envelope_problem(bytes);
+  if (!result.problem.empty()) return result;
+  Reader in(bytes.subspan(6));
+  result.mixture.color_space = static_cast<ColorSpace>(in.take<std::uint16_t>());
+  const auto count = in.take<std::uint32_t>();
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const std::size_t begin = in.at() + 6;
+    result.mixture.components.push_back(take_component(in));
+    if (sound(result.mixture.components.back())) continue;
+    return {{}, fmt::format("byte {}: component {} is no Gaussian with votes", begin, i)};
+  }
+  return result;
+}
+
+}  // namespace hindsight

@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: 2026 The Hindsight authors
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "perception/color_classifier.h"
+#include "perception/large_table.h"
+#include "perception/terrain_class.h"
+#include "perception/terrain_mixture.h"
+
+namespace hindsight {
+
+/// Maximum-likelihood class of a colour, evaluated plainly in double precision: the definition that Segmenter
+/// equals.
+///
+/// (5.1) f(c|l) = 1/M(l) * sum of the densities of the M(l) components labelled l; the class with the largest
+/// wins, the first in the order lethal, bad, good, unlabelled where equal. Components without a class (no
+/// votes yet) form a fourth group, which competes like a class and wins as `unknown`: without it the first
+/// lethal component would own every colour that nobody has voted on yet. (5.2) `unknown` also if the
+/// Mahalanobis distance to every component exceeds the gate. So `unknown` means "nothing learned comes near",
+/// and it is up to the map to let that cost nothing.
+TerrainClass classify_reference(const TerrainMixture& mixture, std::uint8_t b, std::uint8_t g,
+                                std::uint8_t r);
+
+/// Labels every pixel of a frame. Not thread safe; nothing is allocated after construction. About 22 MB, most
+/// of it a table of all 2^24 colours: a pixel's label depends on its colour alone, so each colour is
+/// classified once, when it first comes after a change of the mixture.
+class Segmenter {
+ public:
+  Segmenter(int width_px, int height_px);
+
+  /// One label a pixel, row-major; valid until the next call. `bgr` is row-major, three bytes a pixel, no
+  /// padding, of the size given at construction (an assertion checks it). Equal to classify_reference for
+  /// every pixel. A mixture that has not started makes every pixel unknown.
+  std::span<const TerrainClass> segment(std::span<const std::uint8_t> bgr, const TerrainMixture& mixture);
+
+  /// Pixels of the last frame by class: good, bad, lethal, unknown.
+  std::array<int, kLabelCount + 1> class_counts() const;
+
+ private:
+  /// One byte of the table: generation << 3 | pending << 2 | label. Only entries of the present generation
+  /// count, so a change of the mixture costs nothing but a new generation.
+  using Entry = std::uint8_t;
+
+  bool follow(const TerrainMixture& mixture);
+  void forget();
+  bool look_up(const std::uint8_t* bgr, std::size_t begin, std::size_t end);
+  void note_missing(const std::uint8_t* bgr, std::size_t begin, std::size_t end);
+  void classify_missing();
+
+  std::size_t pixels_;
+  std::vector<TerrainClass> labels_;
+  LargeTable table_;      ///< by b | g << 8 | r << 16
+  Entry generation_ = 1;  ///< 1..31
+  std::size_t next_slice_ = 0;
+  std::vector<MixtureComponent> known_;  ///< the components that the table stands for
+  ColorSpace known_space_ = ColorSpace::rgb;
+  double known_gate_ = 0.0;
+  ColorClassifier classifier_;
+  std::vector<std::uint32_t> missing_, by_cube_;  ///< colours to classify; the same in order of their cubes
+  std::size_t missing_count_ = 0;
+  std::vector<std::uint32_t> cube_ends_;
+  std::vector<std::uint32_t> late_blocks_;  ///< blocks of pixels that missed a colour
+};
+
+}  // namespace hindsight
