@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: 2026 The Hindsight authors
+// SPDX-License-Identifier: BSD-2-Clause
+#include "daemon/live_reflex.h"
+
+#include <poll.h>
+#include <sys/eventfd.h>
+#include <sys/timerfd.h>
+#include <unistd.h>
+
+#include <array>
+
+#include "daemon/thread_setup.h"
+#include "drivers/monotonic_clock.h"
+
+namespace hindsight {
+namespace {
+
+UniqueFd periodic_timer(double rate_hz) {
+  UniqueFd timer(timerfd_create(CLOCK_MONOTONIC, TFD_CLOEXEC | TFD_NONBLOCK));
+  itimerspec spec{};
+  spec.it_interval.tv_nsec = static_cast<long>(1e9 / rate_hz);
+  spec.it_value = spec.it_interval;
+  timerfd_settime(timer.get(), 0, &spec, nullptr);
+  return timer;
+}
+
+void drain(const UniqueFd& fd) {
+  std::uint64_t count = 0;
+  static_cast<void>(!read(fd.get(), &count, sizeof count));
+}
+
+}  // namespace
+
+LiveReflex::LiveReflex(const Configuration& configuration, const Dbc& dbc, ReflexBoard& board, Heartbeats& heartbeats)
+    : configuration_(configuration),
+      board_(board),
+      heartbeats_(heartbeats),
+      codec_(dbc, configuration.can_roles),
+      sender_(configuration.can.interface, configuration.can.reopen),
+      reflex_(configuration.gate, configuration.vehicle),
+      timer_(periodic_timer(configuration.reflex.rate_hz)),
+      wake_(eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)),
+      thread_([this] { work(); }) {}
+
+LiveReflex::~LiveReflex() {
+  stopping_.store(true);
+  wake();
+  thread_.join();
+}
+
+void LiveReflex::wake() {
+  const std::uint64_t one = 1;
+  static_cast<void>(!write(wake_.get(), &one, sizeof one));
+}
+
+void LiveReflex::act() {
+  const Time now = monotonic_now();
+  const GateOutput output = reflex_.step(now, board_);
+  const SendCounts& counts = sender_.counts();
+  const CanFrame frame = codec_.encode(
+      {output.command.left_mps, output.command.right_mps, output.reason == StopReason::none}, counts.sent);
+  sender_.send(frame, now);
+  report_.write({now, static_cast<float>(output.command.left_mps), static_cast<float>(output.command.right_mps),
+                 static_cast<std::uint8_t>(output.reason), counts.sent, counts.queue_full + counts.failed});
+  heartbeats_.beat(ThreadId::reflex, now);
+}
+
+void LiveReflex::work() {
+  name_this_thread("reflex");
+  make_this_thread_realtime(configuration_.reflex.realtime_priority);
+  while (!stopping_.load()) {
+    std::array<pollfd, 2> events{{{timer_.get(), POLLIN, 0}, {wake_.get(), POLLIN, 0}}};
+    poll(events.data(), events.size(), 1000);
+    drain(timer_);
+    drain(wake_);
+    act();
+  }
+  board_.decision.write({DriveCommand{}, monotonic_now(), StopReason::shutdown});
+  act();
+}
+
+}  // namespace hindsight

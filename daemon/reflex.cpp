@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The Hindsight authors
+// SPDX-License-Identifier: BSD-2-Clause
+#include "daemon/reflex.h"
+
+namespace hindsight {
+
+void ReflexBoard::see(const LineEdge& edge) {
+  // The time first: a reader that sees the line pressed must not see an older edge.
+  if (edge.active && edge.line != Line::estop) last_bumper_edge_ns.store(edge.stamp.count(), std::memory_order_relaxed);
+  line_active[static_cast<std::size_t>(edge.line)].store(edge.active, std::memory_order_release);
+}
+
+GateOutput Reflex::step(Time now, const ReflexBoard& board) {
+  const Decision decision = board.decision.read();
+  GateInput input;
+  input.now = now;
+  input.wanted = decision.command;
+  input.decided_at = decision.decided_at;
+  input.loop_reason = decision.reason;
+  input.estop_active = board.active(Line::estop);
+  input.bumper_active = board.active(Line::bumper_left) || board.active(Line::bumper_right);
+  input.last_bumper_edge = Time(board.last_bumper_edge_ns.load(std::memory_order_relaxed));
+  input.lines_ok = board.lines_ok.load(std::memory_order_relaxed);
+  input.bus_ok = board.bus_ok.load(std::memory_order_relaxed);
+  return gate_.step(input);
+}
+
+}  // namespace hindsight

@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: 2026 The Hindsight authors
+// SPDX-License-Identifier: BSD-2-Clause
+#include "daemon/run_setup.h"
+
+#include <filesystem>
+
+#include "config/configuration.h"
+#include "config/exit_code.h"
+#include "daemon/model_store.h"
+#include "daemon/say.h"
+#include "perception/mixture_codec.h"
+#include "sim_replay/read_file.h"
+
+namespace hindsight {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The parameters that name files.
+std::vector<std::string*> file_parameters(Configuration& configuration) {
+  return {&configuration.robot.calibration, &configuration.can_roles.dbc};
+}
+
+}  // namespace
+
+std::string build_id() { return "hindsight " HINDSIGHT_VERSION ", g++ " __VERSION__; }
+
+Configuration load_configuration(const std::vector<std::string>& files) {
+  Configuration configuration;
+  bool first = true;
+  for (const std::string& file : files) {
+    const fs::path folder = fs::absolute(file).parent_path();
+    // Defaults belong to the folder of the first file; what a later file names belongs to its own.
+    Configuration changed = configuration;
+    for (std::string* path : file_parameters(changed)) *path = first ? *path : "";
+    read_configuration(changed, ConfigDocument::load(file));
+    const auto before = file_parameters(configuration);
+    const auto after = file_parameters(changed);
+    for (std::size_t i = 0; i < after.size(); ++i) {
+      *after[i] = after[i]->empty() ? *before[i] : (folder / *after[i]).lexically_normal().string();
+    }
+    configuration = changed;
+    first = false;
+  }
+  return configuration;
+}
+
+std::string to_text(Configuration configuration) { return print_configuration(configuration); }
+
+std::vector<std::uint8_t> load_saved_mixture(const Configuration& configuration) {
+  if (configuration.robot.model_file.empty()) return {};
+  const fs::path file = configuration.robot.model_file;
+  for (const fs::path& candidate : {file, previous_of(file)}) {
+    if (!fs::exists(candidate)) continue;
+    const auto bytes = read_file<std::vector<std::uint8_t>>(candidate);
+    const MixtureDecoded decoded = decode_mixture(bytes);
+    if (decoded.problem.empty()) return bytes;
+    say(Severity::warning, "{}: {}; not used", candidate.string(), decoded.problem);
+  }
+  return {};
+}
+
+RunHeader load_materials(const Configuration& configuration) {
+  RunHeader materials;
+  materials.build_id = build_id();
+  materials.configuration = to_text(configuration);
+  materials.dbc = read_file<std::string>(configuration.can_roles.dbc);
+  materials.calibration = read_file<std::string>(configuration.robot.calibration);
+  materials.mixture = load_saved_mixture(configuration);
+  return materials;
+}
+
+Configuration configuration_of(const RunHeader& header) {
+  Configuration configuration;
+  read_configuration(configuration, ConfigDocument::parse(header.configuration, "the log's configuration"));
+  return configuration;
+}
+
+RobotSetup make_setup(const Configuration& configuration, const RunHeader& materials, const std::string& name) {
+  const std::string prefix = name.empty() ? "" : name + ": ";
+  RobotSetup setup;
+  setup.configuration = configuration;
+  setup.camera = parse_camera_model(materials.calibration, prefix + configuration.robot.calibration);
+  setup.dbc = parse_dbc(materials.dbc, prefix + configuration.can_roles.dbc);
+  if (!materials.mixture.empty()) {
+    MixtureDecoded decoded = decode_mixture(materials.mixture);
+    if (!decoded.problem.empty()) throw FatalError(kExitBadData, prefix + "saved mixture: " + decoded.problem);
+    setup.mixture = std::move(decoded.mixture);
+  }
+  return setup;
+}
+
+}  // namespace hindsight

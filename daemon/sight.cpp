@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The Hindsight authors
+// SPDX-License-Identifier: BSD-2-Clause
+#include "daemon/sight.h"
+
+namespace hindsight {
+namespace {
+
+/// Beyond these, two frames have too little in common for flow between them to mean anything.
+constexpr std::uint32_t kMostFramesLost = 5;
+constexpr Time kLongestPause = from_seconds(1.0);
+
+}  // namespace
+
+Sight::Sight(const Configuration& configuration, const CameraModel& camera)
+    : width_px_(camera.width_px),
+      height_px_(camera.height_px),
+      flow_(configuration.flow, width_px_, height_px_),
+      history_(configuration.flow_history, width_px_, height_px_),
+      appearance_(configuration.appearance, configuration.flow_history.depth + 1, width_px_, height_px_),
+      ground_(camera, configuration.bottom_finder.max_range_m),
+      bottom_finder_(configuration.bottom_finder, camera, ground_, configuration.evidence_grid.resolution_m),
+      segmenter_(width_px_, height_px_) {}
+
+bool Sight::interrupted(const Frame& frame) const {
+  return frame.sequence - last_sequence_ > kMostFramesLost + 1 || frame.stamp < last_stamp_ ||
+         frame.stamp - last_stamp_ > kLongestPause;
+}
+
+void Sight::forget() {
+  flow_.reset();
+  history_.clear();
+  appearance_.clear();
+  any_frame_ = false;
+}
+
+bool Sight::see(const Frame& frame) {
+  if (frame.width_px != width_px_ || frame.height_px != height_px_) return false;
+  if (any_frame_ && interrupted(frame)) forget();
+  vectors_ = flow_.update(frame.bgr);
+  if (any_frame_) history_.push(vectors_);
+  appearance_.push(frame.bgr);
+  any_frame_ = true;
+  last_stamp_ = frame.stamp;
+  last_sequence_ = frame.sequence;
+  return true;
+}
+
+void Sight::classify(const Frame& frame, const TerrainMixture& mixture) {
+  labels_ = segmenter_.segment(frame.bgr, mixture);
+  votes_ = bottom_finder_.find(labels_);
+}
+
+}  // namespace hindsight

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 The Hindsight authors
+// SPDX-License-Identifier: BSD-2-Clause
+//
+// What the camera makes of the world: flow and its history, how things looked, labels of every pixel, votes on the
+// ground.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "daemon/robot_config.h"
+#include "drivers/samples.h"
+#include "perception/appearance_history.h"
+#include "perception/bottom_finder.h"
+#include "perception/camera_model.h"
+#include "perception/flow_history.h"
+#include "perception/ground_plane.h"
+#include "perception/optical_flow.h"
+#include "perception/segmenter.h"
+
+namespace hindsight {
+
+class Sight {
+ public:
+  Sight(const Configuration& configuration, const CameraModel& camera);
+
+  /// Takes a frame into the histories. False, and nothing changes, if it has another size than the calibration.
+  bool see(const Frame& frame);
+  /// Labels every pixel of the frame last seen and finds where obstacles stand. Call after see() returned true.
+  void classify(const Frame& frame, const TerrainMixture& mixture);
+
+  const OpticalFlow& flow() const { return flow_; }
+  std::span<const FlowVector> vectors() const { return vectors_; }
+  const FlowHistory& history() const { return history_; }
+  const AppearanceHistory& appearance() const { return appearance_; }
+  const GroundPlane& ground() const { return ground_; }
+  const BottomFinder& bottom_finder() const { return bottom_finder_; }
+  std::span<const TerrainClass> labels() const { return labels_; }
+  std::array<int, kLabelCount + 1> label_counts() const { return segmenter_.class_counts(); }
+  std::span<const GroundVote> votes() const { return votes_; }
+
+ private:
+  bool interrupted(const Frame& frame) const;
+  void forget();
+
+  int width_px_;
+  int height_px_;
+  OpticalFlow flow_;
+  FlowHistory history_;
+  AppearanceHistory appearance_;
+  GroundPlane ground_;
+  BottomFinder bottom_finder_;
+  Segmenter segmenter_;
+  bool any_frame_ = false;
+  Time last_stamp_{};
+  std::uint32_t last_sequence_ = 0;
+  std::span<const FlowVector> vectors_;
+  std::span<const TerrainClass> labels_;
+  std::span<const GroundVote> votes_;
+};
+
+}  // namespace hindsight

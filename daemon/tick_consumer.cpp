@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The Hindsight authors
+// SPDX-License-Identifier: BSD-2-Clause
+#include "daemon/tick_consumer.h"
+
+#include <utility>
+
+#include "daemon/thread_setup.h"
+#include "drivers/monotonic_clock.h"
+
+namespace hindsight {
+
+TickConsumer::TickConsumer(ThreadId id, std::size_t capacity, Heartbeats& heartbeats, Handler handler)
+    : id_(id), heartbeats_(heartbeats), handler_(std::move(handler)), queue_(capacity), thread_([this] { work(); }) {}
+
+TickConsumer::~TickConsumer() {
+  ending_.store(true, std::memory_order_release);
+  waiting_.release();
+  thread_.join();
+}
+
+bool TickConsumer::offer(TickRecord* record) {
+  if (!queue_.push(record)) {
+    refused_.fetch_add(1, std::memory_order_relaxed);
+    return false;
+  }
+  waiting_.release();
+  return true;
+}
+
+void TickConsumer::work() {
+  name_this_thread(kThreadNames[static_cast<std::size_t>(id_)]);
+  while (true) {
+    heartbeats_.beat(id_, monotonic_now());
+    static_cast<void>(waiting_.try_acquire_for(std::chrono::milliseconds(50)));
+    // Read before the queue: what was offered before the end was asked for is still worked off.
+    const bool ending = ending_.load(std::memory_order_acquire);
+    TickRecord* record = nullptr;
+    while (queue_.pop(record)) {
+      handler_(*record);
+      record->release();
+      heartbeats_.beat(id_, monotonic_now());
+    }
+    if (ending) return;
+  }
+}
+
+}  // namespace hindsight
