@@ -1,0 +1,133 @@
+// SPDX-FileCopyrightText: 2026 The Hindsight authors
+// SPDX-License-Identifier: BSD-2-Clause
+#include "tools/bench_robot.h"
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+#include <string>
+
+#include "config/exit_code.h"
+#include "daemon/replay_run.h"
+#include "drivers/monotonic_clock.h"
+#include "sim_replay/run_log_writer.h"
+#include "tools/allocation_counter.h"
+#include "tools/bench_drive.h"
+#include "tools/cpu_time.h"
+#include "tools/opencv_flow.h"
+
+namespace hindsight::tools {
+namespace {
+
+constexpr std::uint64_t kWarmUpTicks = 30;
+constexpr std::uint64_t kTicks = 150;
+constexpr std::uint64_t kReplayTicks = 100;
+
+/// A robot on a drive of its own.
+struct Car {
+  Car(std::span<const cv::Mat> frames, const Configuration& configuration)
+      : robot(BenchDrive::setup(configuration)), drive(frames) {
+    input.reserve();
+  }
+  void step(std::uint64_t tick) {
+    drive.fill(tick, input);
+    outbox.clear();
+    const std::uint64_t before = allocations_of_this_thread();
+    const double us = microseconds([&] { robot.step(input, outbox); });
+    if (tick < kWarmUpTicks) return;
+    ms.push_back(us * 1e-3);
+    // A training event may make messages and mixture grow: not the steady state.
+    if (robot.learner().lessons().empty()) allocations = std::max(allocations, allocations_of_this_thread() - before);
+  }
+
+  Robot robot;
+  BenchDrive drive;
+  TickInput input;
+  Outbox outbox;
+  std::vector<double> ms;
+  std::uint64_t allocations = 0;
+};
+
+double resident_mb() {
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);) {
+    if (line.starts_with("VmRSS:")) return std::strtod(line.c_str() + 6, nullptr) / 1024.0;
+  }
+  return 0.0;
+}
+
+void record_drive(std::span<const cv::Mat> bgr_frames, const Configuration& configuration, const std::string& path) {
+  BenchDrive drive(bgr_frames);
+  RunLogWriter writer(path);
+  writer.write_header(BenchDrive::header(configuration));
+  TickInput input;
+  input.reserve();
+  for (std::uint64_t tick = 0; tick < kReplayTicks; ++tick) {
+    drive.fill(tick, input);
+    Frame& frame = FrameRef(input.frame).writable();
+    frame.format = PixelFormat::mjpeg;
+    cv::imencode(".jpg", cv::Mat(frame.height_px, frame.width_px, CV_8UC3, frame.bgr.data()), frame.bytes);
+    writer.write_tick(input);
+  }
+  if (!writer.close()) throw FatalError(kExitIo, path + ": cannot be written");
+}
+
+}  // namespace
+
+TickBench bench_tick(std::span<const cv::Mat> bgr_frames, const Configuration& thesis, const Configuration& standard) {
+  Car thesis_car(bgr_frames, thesis);
+  Car standard_car(bgr_frames, standard);
+  OpencvFlow opencv(thesis.flow);
+  std::vector<double> opencv_ms;
+  cv::Mat grey;
+  for (std::uint64_t tick = 0; tick < kWarmUpTicks + kTicks; ++tick) {
+    thesis_car.step(tick);
+    standard_car.step(tick);
+    cv::cvtColor(bgr_frames[tick % bgr_frames.size()], grey, cv::COLOR_BGR2GRAY);
+    const double us = microseconds([&] { opencv.update_grey(grey); });
+    if (tick >= kWarmUpTicks && tick % bgr_frames.size() != 0) opencv_ms.push_back(us * 1e-3);
+  }
+  return {quantile(thesis_car.ms, 0.5), quantile(standard_car.ms, 0.5), quantile(opencv_ms, 0.5),
+          static_cast<double>(standard_car.allocations)};
+}
+
+double bench_resident_mb(std::span<const cv::Mat> bgr_frames, const Configuration& configuration) {
+  int ends[2];
+  if (pipe(ends) != 0) throw FatalError(kExitSoftware, "cannot make a pipe");
+  const pid_t child = fork();
+  if (child == 0) {
+    Car car(bgr_frames, configuration);
+    const auto ticks = static_cast<std::uint64_t>(configuration.flow_history.depth) + 20;
+    for (std::uint64_t tick = 0; tick < ticks; ++tick) car.step(tick);
+    const double mb = resident_mb();
+    _exit(write(ends[1], &mb, sizeof mb) == sizeof mb ? 0 : 1);
+  }
+  double mb = 0.0;
+  close(ends[1]);
+  const bool told = read(ends[0], &mb, sizeof mb) == sizeof mb;
+  close(ends[0]);
+  waitpid(child, nullptr, 0);
+  if (!told) throw FatalError(kExitSoftware, "the process that measures memory ended early");
+  return mb;
+}
+
+double bench_replay_over_realtime(std::span<const cv::Mat> bgr_frames, const Configuration& configuration) {
+  const std::string path =
+      (std::filesystem::temp_directory_path() / ("hindsight_bench_" + std::to_string(getpid()) + ".lcm")).string();
+  record_drive(bgr_frames, configuration, path);
+  const Time began = monotonic_now();
+  ReplayRun run(path, std::nullopt, false);
+  while (run.step()) {
+  }
+  const double seconds = to_seconds(monotonic_now() - began);
+  std::filesystem::remove(path);
+  return static_cast<double>(kReplayTicks) / configuration.robot.loop_rate_hz / seconds;
+}
+
+}  // namespace hindsight::tools
