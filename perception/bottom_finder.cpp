@@ -3,11 +3,22 @@
 #include "perception/bottom_finder.h"
 
 #include <algorithm>
+#include <cstring>
+
+#include "perception/multiversion.h"
 
 namespace hindsight {
 namespace {
 
 constexpr float kNoContact = -1.0F;
+
+/// Adds one to a column's counter where its label is `label` or `also`.
+HINDSIGHT_MULTIVERSION
+void count_row(const TerrainClass* labels, std::size_t width, TerrainClass label, TerrainClass also,
+               std::uint8_t* counters) {
+  for (std::size_t x = 0; x < width; ++x)
+    counters[x] = static_cast<std::uint8_t>(counters[x] + ((labels[x] == label) | (labels[x] == also)));
+}
 
 }  // namespace
 
@@ -18,9 +29,8 @@ BottomFinder::BottomFinder(const BottomFinderParams& params, const CameraModel& 
       strip_px_(params.strip_px),
       patches_(make_ground_patches(params, camera, ground, cell_m)) {
   const auto strips = static_cast<std::size_t>(patches_.strips);
-  for (auto* counter : {&column_good_, &column_bad_, &column_lethal_})
+  for (auto* counter : {&column_good_, &column_bad_, &column_lethal_, &column_seen_})
     counter->resize(strips * static_cast<std::size_t>(strip_px_), 0);
-  counts_.resize(strips);
   walks_.resize(strips);
   contact_row_px_.resize(strips, kNoContact);
   votes_.reserve(patches_.samples.size() + 2 * patches_.patches.size());
@@ -38,32 +48,43 @@ std::span<const GroundVote> BottomFinder::find(std::span<const TerrainClass> lab
   return votes_;
 }
 
-/// How many pixels of each class each strip has in a band.
+/// How many pixels of each class each column has in a band.
 void BottomFinder::count(std::span<const TerrainClass> labels, const PatchBand& band) {
   const auto width = static_cast<std::size_t>(width_px_);
-  std::uint8_t* const good = column_good_.data();
-  std::uint8_t* const bad = column_bad_.data();
-  std::uint8_t* const lethal = column_lethal_.data();
   for (auto* counter : {&column_good_, &column_bad_, &column_lethal_})
     std::fill(counter->begin(), counter->end(), std::uint8_t{0});
   const auto good_also = params_.unknown == "good" ? TerrainClass::unknown : TerrainClass::good;
   const auto bad_also = params_.unknown == "bad" ? TerrainClass::unknown : TerrainClass::bad;
   for (int row = band.begin; row < band.end; ++row) {
     const TerrainClass* const label = labels.data() + static_cast<std::size_t>(row) * width;
-    for (std::size_t x = 0; x < width; ++x) {
-      const TerrainClass l = label[x];
-      good[x] = static_cast<std::uint8_t>(good[x] + ((l == TerrainClass::good) | (l == good_also)));
-      bad[x] = static_cast<std::uint8_t>(bad[x] + ((l == TerrainClass::bad) | (l == bad_also)));
-      lethal[x] = static_cast<std::uint8_t>(lethal[x] + (l == TerrainClass::lethal));
-    }
+    count_row(label, width, TerrainClass::good, good_also, column_good_.data());
+    count_row(label, width, TerrainClass::bad, bad_also, column_bad_.data());
+    count_row(label, width, TerrainClass::lethal, TerrainClass::lethal, column_lethal_.data());
   }
-  std::size_t x = 0;
-  for (Counts& strip : counts_) {
-    int g = 0, b = 0, d = 0;
-    for (const std::size_t end = x + static_cast<std::size_t>(strip_px_); x < end; ++x)
-      g += good[x], b += bad[x], d += lethal[x];
-    strip = {static_cast<std::uint16_t>(g), static_cast<std::uint16_t>(b), static_cast<std::uint16_t>(d)};
+  for (std::size_t x = 0; x < width; ++x)
+    column_seen_[x] = column_good_[x] | column_bad_[x] | column_lethal_[x];
+}
+
+/// Pixels of each class that a strip has in the band counted last.
+inline BottomFinder::Counts BottomFinder::counts_of(int strip) const {
+  Counts counts;
+  const std::size_t begin = static_cast<std::size_t>(strip * strip_px_);
+  for (std::size_t x = begin; x < begin + static_cast<std::size_t>(strip_px_); ++x)
+    counts.good += column_good_[x], counts.bad += column_bad_[x], counts.lethal += column_lethal_[x];
+  return counts;
+}
+
+/// The first strip from `strip` on that has pixels of a class in the band counted last; strips_ where none
+/// has.
+inline int BottomFinder::next_strip_seen(int strip) const {
+  const std::uint8_t* const seen = column_seen_.data();
+  std::size_t x = static_cast<std::size_t>(strip * strip_px_);
+  for (std::uint64_t eight; x + sizeof eight <= column_seen_.size(); x += sizeof eight) {
+    std::memcpy(&eight, seen + x, sizeof eight);
+    if (eight != 0) break;
   }
+  while (x < column_seen_.size() && seen[x] == 0) ++x;
+  return static_cast<int>(x) / strip_px_;
 }
 
 /// All strips go up by one band. Good pixels of neighbouring strips vote together where the ground between
@@ -72,12 +93,12 @@ void BottomFinder::walk_band(int band) {
   const GroundPatch* const patch = &patches_.at(0, band);
   const int most_together = patches_.bands[static_cast<std::size_t>(band)].strips_together,
             strips = patches_.strips;
-  int good_px = 0, together = 0;
-  for (int strip = 0; strip < strips; ++strip) {
-    good_px += step(strip, band, patch[strip], counts_[static_cast<std::size_t>(strip)]);
-    if (++together < most_together && strip + 1 < strips) continue;
-    if (good_px > 0) vote_good(patch[strip - together / 2], good_px);
-    good_px = together = 0;
+  for (int strip = next_strip_seen(0); strip < strips;) {
+    const int begin = strip / most_together * most_together, end = std::min(begin + most_together, strips);
+    int good_px = 0;
+    for (; strip < end; strip = next_strip_seen(strip + 1))
+      good_px += step(strip, band, patch[strip], counts_of(strip));
+    if (good_px > 0) vote_good(patch[end - 1 - (end - begin) / 2], good_px);
   }
 }
 

@@ -39,9 +39,9 @@ class BottomFinder {
 
  private:
   struct Counts {
-    std::uint16_t good = 0;
-    std::uint16_t bad = 0;
-    std::uint16_t lethal = 0;
+    int good = 0;
+    int bad = 0;
+    int lethal = 0;
   };
   /// One strip's walk from the bottom to the top.
   struct Walk {
@@ -53,6 +53,8 @@ class BottomFinder {
   };
 
   void count(std::span<const TerrainClass> labels, const PatchBand& band);
+  Counts counts_of(int strip) const;
+  int next_strip_seen(int strip) const;
   void walk_band(int band);
   int step(int strip, int band, const GroundPatch& here, const Counts& counts);
   void vote_good(const GroundPatch& patch, int pixels);
@@ -62,9 +64,9 @@ class BottomFinder {
   int width_px_;
   int strip_px_;
   GroundPatches patches_;
-  std::vector<std::uint8_t> column_good_, column_bad_, column_lethal_;
-  std::vector<Counts> counts_;  ///< by strip, of one band
-  std::vector<Walk> walks_;     ///< by strip
+  std::vector<std::uint8_t> column_good_, column_bad_, column_lethal_;  ///< of one band
+  std::vector<std::uint8_t> column_seen_;                               ///< not 0 where one of these is not
+  std::vector<Walk> walks_;                                             ///< by strip
   std::vector<float> contact_row_px_;
   std::vector<GroundVote> votes_;
 };

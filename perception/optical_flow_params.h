@@ -13,11 +13,11 @@ struct CornerParams {
   int smoothing_kernel_px = 5;
   double smoothing_sigma_px = 1.0;
   double quality = 0.0003;
-  int max_features = 3000;
+  int max_features = 2000;
   double min_spacing_px = 5.0;
   int quota_columns = 24;
   int quota_rows = 16;
-  int quota_per_cell = 8;
+  int quota_per_cell = 6;
 
   void visit(auto&& param) {
     param("smoothing_kernel_px", smoothing_kernel_px, Range{1, 15},
@@ -38,9 +38,9 @@ struct CornerParams {
 struct TrackerParams {
   int pyramid_levels = 5;
   double prefilter_sigma_px = 1.25;
-  int window_px = 9;
+  int window_px = 7;
   int max_iterations = 4;
-  double stop_step_px = 0.03;
+  double stop_step_px = 0.06;
   double max_move_px = 6.0;
   double min_gradient = 0.5;
   bool remove_mean = true;

@@ -7,35 +7,88 @@
 #include <cassert>
 #include <cstring>
 
+#include "perception/multiversion.h"
+
 namespace hindsight {
 namespace {
 
 constexpr std::size_t kColors = std::size_t{1} << 24;
-constexpr std::uint32_t kColorMask = 0xFFFFFF;
-constexpr std::size_t kBlock_px = 96;
-/// Colours are classified by cubes of 8 x 8 x 8.
-constexpr std::size_t kCubes = std::size_t{1} << 15;
-constexpr std::size_t kCubeColors = 512;
+constexpr std::size_t kBlock_px = 64;  ///< one bit each in a word
+constexpr std::size_t kGroup_px = 8;
+constexpr std::size_t kOverhang = 4;  ///< bytes read behind the last pixel of a block
 constexpr unsigned kGenerationShift = 3;
 constexpr unsigned kGenerations = 31;
-constexpr std::uint8_t kPending = 4;
-constexpr std::uint32_t kNotLabelBits = 0xFCFCFCFC;
+constexpr std::uint8_t kStateBits = 7;
+constexpr std::uint8_t kMixed = ColorClassifier::kMixed;
 
-static_assert(std::endian::native == std::endian::little, "look_up reads colours as words");
+static_assert(std::endian::native == std::endian::little, "the cubes of pixels are taken from words");
 
-std::uint32_t load_word(const std::uint8_t* p) {
+/// Reads one byte behind the pixel.
+std::uint32_t key_at(const std::uint8_t* pixel) {
   std::uint32_t word;
-  std::memcpy(&word, p, sizeof word);
-  return word;
+  std::memcpy(&word, pixel, sizeof word);
+  return word & 0xFFFFFFu;
 }
 
-std::uint32_t key_at(const std::uint8_t* p) {
-  return static_cast<std::uint32_t>(p[0]) | static_cast<std::uint32_t>(p[1]) << 8 |
-         static_cast<std::uint32_t>(p[2]) << 16;
+/// Small cubes of eight pixels; reads kOverhang bytes behind them.
+HINDSIGHT_ALWAYS_INLINE void cubes_of(const std::uint8_t* bgr, std::uint32_t* cubes) {
+  using Bytes = std::uint8_t __attribute__((vector_size(16)));
+  using Words = std::uint32_t __attribute__((vector_size(16)));
+  constexpr Bytes spread{0, 1, 2, 16, 3, 4, 5, 16, 6, 7, 8, 16, 9, 10, 11, 16};
+  for (std::size_t half = 0; half < 2; ++half) {
+    Bytes bytes;
+    std::memcpy(&bytes, bgr + 12 * half, sizeof bytes);
+    bytes = __builtin_shuffle(bytes, Bytes{}, spread);
+    Words key;
+    std::memcpy(&key, &bytes, sizeof key);
+    const Words cube = (key >> 2 & 0x3Fu) | (key >> 4 & 0xFC0u) | (key >> 6 & 0x3F000u);
+    std::memcpy(cubes + 4 * half, &cube, sizeof cube);
+  }
 }
 
-std::uint32_t cube_of(std::uint32_t key) {
-  return (key >> 3 & 31u) | (key >> 6 & 0x3E0u) | (key >> 9 & 0x7C00u);
+/// One bit for each byte that is no label, the first byte's lowest.
+HINDSIGHT_ALWAYS_INLINE std::uint64_t no_labels(std::uint64_t eight) {
+  constexpr std::uint64_t kLow = 0x7F7F7F7F7F7F7F7Fu, kNoLabel = 0xFCFCFCFCFCFCFCFCu;
+  const std::uint64_t no_label = eight & kNoLabel;
+  const std::uint64_t top_bits = (((no_label & kLow) + kLow) | no_label) & ~kLow;
+  return (top_bits >> 7) * 0x0102040810204080u >> 56;
+}
+
+/// Cubes of a block's pixels and their states; returns which states are no labels. Those of another
+/// generation have bits beyond kStateBits.
+HINDSIGHT_MULTIVERSION
+std::uint64_t look_up(const std::uint8_t* table, std::uint8_t generation, const std::uint8_t* bgr,
+                      std::uint32_t* cubes, std::uint8_t* states) {
+  const std::uint64_t present =
+      0x0101010101010101u * static_cast<std::uint8_t>(generation << kGenerationShift);
+  std::uint64_t unlabelled = 0;
+  for (std::size_t i = 0; i < kBlock_px; i += kGroup_px) {
+    cubes_of(bgr + 3 * i, cubes + i);
+    std::uint64_t eight = 0;
+    for (std::size_t k = 0; k < kGroup_px; ++k)
+      eight |= static_cast<std::uint64_t>(table[cubes[i + k]]) << 8 * k;
+    eight ^= present;
+    unlabelled |= no_labels(eight) << i;
+    std::memcpy(states + i, &eight, sizeof eight);
+  }
+  return unlabelled;
+}
+
+/// In runs short enough to count in bytes, which vectorises.
+HINDSIGHT_MULTIVERSION
+std::array<int, kLabelCount + 1> count_labels(const std::uint8_t* labels, std::size_t pixels) {
+  constexpr std::size_t kRun = 240;
+  std::array<int, kLabelCount + 1> counts{};
+  for (std::size_t begin = 0; begin < pixels; begin += kRun) {
+    const std::size_t end = std::min(begin + kRun, pixels);
+    for (std::uint8_t label = 0; label < counts.size(); ++label) {
+      std::uint8_t found = 0;
+      for (std::size_t i = begin; i < end; ++i)
+        found = static_cast<std::uint8_t>(found + (labels[i] == label));
+      counts[label] += found;
+    }
+  }
+  return counts;
 }
 
 bool same_density(const MixtureComponent& a, const MixtureComponent& b) {
@@ -53,129 +106,79 @@ TerrainClass classify_reference(const TerrainMixture& mixture, std::uint8_t b, s
 
 Segmenter::Segmenter(int width_px, int height_px)
     : pixels_(static_cast<std::size_t>(width_px) * static_cast<std::size_t>(height_px)),
-      labels_(pixels_, TerrainClass::unknown),
-      table_(kColors),
-      classifier_(pixels_),
-      missing_(pixels_ + 1),
-      by_cube_(pixels_),
-      cube_ends_(kCubes + 1) {
+      labels_(pixels_ + kBlock_px, static_cast<std::uint8_t>(TerrainClass::unknown)),
+      cubes_(kSmallCubes),
+      colors_(kColors) {
   known_.reserve(kMostComponents);
-  late_blocks_.reserve(pixels_ / kBlock_px + 1);
 }
 
 std::span<const TerrainClass> Segmenter::segment(std::span<const std::uint8_t> bgr,
                                                  const TerrainMixture& mixture) {
   assert(bgr.size() == 3 * pixels_);
-  late_blocks_.clear();
-  missing_count_ = 0;
-  const bool fresh = follow(mixture);
-  for (std::size_t begin = 0; begin < pixels_; begin += kBlock_px) {
-    const std::size_t end = std::min(begin + kBlock_px, pixels_);
-    if (!fresh && look_up(bgr.data(), begin, end)) continue;
-    note_missing(bgr.data(), begin, end);
-    late_blocks_.push_back(static_cast<std::uint32_t>(begin));
-  }
-  classify_missing();
-  for (const std::uint32_t begin : late_blocks_)
-    look_up(bgr.data(), begin, std::min(begin + kBlock_px, pixels_));
-  return labels_;
+  follow(mixture);
+  const std::size_t last = (pixels_ - 1) / kBlock_px * kBlock_px;
+  for (std::size_t begin = 0; begin < last; begin += kBlock_px) label_block(&bgr[3 * begin], begin);
+  // Behind the last block nothing may be read.
+  std::array<std::uint8_t, 3 * kBlock_px + kOverhang> copy{};
+  std::ranges::copy(bgr.subspan(3 * last), copy.begin());
+  label_block(copy.data(), last);
+  static_assert(sizeof(TerrainClass) == 1);
+  return {reinterpret_cast<const TerrainClass*>(labels_.data()), pixels_};
 }
 
-/// Starts a new generation if the mixture classifies otherwise than the one that the table stands for.
+/// Starts a new generation if the mixture classifies otherwise than the one that the tables stand for.
 /// Compared by content, as another mixture may have the same version number; 64 components take less than a
 /// microsecond.
-bool Segmenter::follow(const TerrainMixture& mixture) {
+void Segmenter::follow(const TerrainMixture& mixture) {
   const std::vector<MixtureComponent>& components = mixture.components();
   if (mixture.params().gate == known_gate_ && mixture.color_space() == known_space_ &&
       std::ranges::equal(components, known_, same_density)) {
-    return false;
+    return;
   }
   known_gate_ = mixture.params().gate;
   known_space_ = mixture.color_space();
   known_.assign(components.begin(), components.end());
   classifier_.set(mixture);
   forget();
-  return true;
 }
 
-/// One slice of the table is cleared at each new generation, all of them within kGenerations: when a number
-/// comes round again, no entry bears it any more.
 void Segmenter::forget() {
-  generation_ = static_cast<Entry>(generation_ % kGenerations + 1);
-  constexpr std::size_t slice = kColors / kGenerations + 1;
-  const std::size_t begin = next_slice_ * slice, end = std::min(begin + slice, kColors);
-  std::memset(table_.data() + begin, 0, end - begin);
-  next_slice_ = (next_slice_ + 1) % kGenerations;
+  if (generation_ == kGenerations) {
+    std::ranges::fill(cubes_, std::uint8_t{0});
+    generation_ = 0;
+  }
+  ++generation_;
 }
 
-/// Labels of a block of pixels from the table; false if an entry is missing, and then what it wrote is void.
-/// Four pixels at a time, twelve bytes: the label's bits are what is left of an entry without its generation.
-bool Segmenter::look_up(const std::uint8_t* bgr, std::size_t begin, std::size_t end) {
-  const std::uint8_t* const table = table_.data();
-  const std::uint32_t generation = generation_ * (0x01010101u << kGenerationShift);
-  std::uint32_t seen = 0;
-  std::size_t i = begin;
-  for (; i + 4 <= end; i += 4) {
-    const std::uint8_t* p = bgr + 3 * i;
-    const std::uint32_t four = (static_cast<std::uint32_t>(table[load_word(p) & kColorMask]) |
-                                static_cast<std::uint32_t>(table[load_word(p + 3) & kColorMask]) << 8 |
-                                static_cast<std::uint32_t>(table[load_word(p + 6) & kColorMask]) << 16 |
-                                static_cast<std::uint32_t>(table[load_word(p + 8) >> 8]) << 24) ^
-                               generation;
-    seen |= four;
-    std::memcpy(&labels_[i], &four, sizeof four);
+/// `bgr` are the block's pixels.
+void Segmenter::label_block(const std::uint8_t* bgr, std::size_t begin) {
+  std::array<std::uint32_t, kBlock_px> cubes;
+  std::uint8_t* const labels = &labels_[begin];
+  std::uint64_t unlabelled = look_up(cubes_.data(), generation_, bgr, cubes.data(), labels);
+  const std::uint8_t* const colors = colors_.data();
+  for (; unlabelled != 0; unlabelled &= unlabelled - 1) {
+    const auto pixel = static_cast<std::size_t>(std::countr_zero(unlabelled));
+    if (labels[pixel] > kMixed) {
+      labels[pixel] = state_of_cube(cubes[pixel]);
+      if (labels[pixel] != kMixed) continue;
+    }
+    labels[pixel] = colors[cubes[pixel] * kColorsInSmallCube + place_in_small_cube(key_at(bgr + 3 * pixel))];
   }
-  for (; i < end; ++i) {
-    const std::uint32_t one = table[key_at(bgr + 3 * i)] ^ (generation & 0xFFu);
-    seen |= one;
-    labels_[i] = static_cast<TerrainClass>(one);
-  }
-  return (seen & kNotLabelBits) == 0;
 }
 
-/// The entries are asked for ahead, as the branches on them cannot be foretold and would wait for each in
-/// turn.
-void Segmenter::note_missing(const std::uint8_t* bgr, std::size_t begin, std::size_t end) {
-  Entry* const table = table_.data();
-  for (std::size_t i = begin; i < end; ++i) __builtin_prefetch(&table[key_at(bgr + 3 * i)], 1);
-  std::size_t count = missing_count_;
-  const auto pending = static_cast<Entry>(generation_ << kGenerationShift | kPending);
-  for (std::size_t i = begin; i < end; ++i) {
-    const std::uint32_t key = key_at(bgr + 3 * i);
-    if (table[key] >> kGenerationShift == generation_) continue;
-    table[key] = pending;
-    missing_[count++] = key;
+/// Classifies it if an earlier pixel of the same block has not done so.
+std::uint8_t Segmenter::state_of_cube(std::uint32_t small_cube) {
+  std::uint8_t& cube = cubes_[small_cube];
+  if (cube >> kGenerationShift != generation_) {
+    const std::uint8_t state =
+        classifier_.classify(small_cube, colors_.data() + small_cube * kColorsInSmallCube);
+    cube = static_cast<std::uint8_t>(generation_ << kGenerationShift | state);
   }
-  missing_count_ = count;
-}
-
-/// Counting sort by cube, then one call for each cube.
-void Segmenter::classify_missing() {
-  if (missing_count_ == 0) return;
-  const std::span<const std::uint32_t> missing(missing_.data(), missing_count_);
-  std::ranges::fill(cube_ends_, 0u);
-  for (const std::uint32_t key : missing) ++cube_ends_[cube_of(key) + 1];
-  for (std::size_t cube = 1; cube <= kCubes; ++cube) cube_ends_[cube] += cube_ends_[cube - 1];
-  for (const std::uint32_t key : missing) by_cube_[cube_ends_[cube_of(key)]++] = key;
-
-  classifier_.load({by_cube_.data(), missing_count_});
-  const auto present = static_cast<Entry>(generation_ << kGenerationShift);
-  Entry* const table = table_.data();
-  std::array<std::uint8_t, kCubeColors> labels;
-  for (std::size_t cube = 0, begin = 0; cube < kCubes; begin = cube_ends_[cube++]) {
-    const std::size_t end = cube_ends_[cube];
-    if (begin == end) continue;
-    classifier_.classify(begin, end, labels.data());
-    for (std::size_t i = begin; i < end; ++i) table[by_cube_[i]] = present | labels[i - begin];
-  }
+  return cube & kStateBits;
 }
 
 std::array<int, kLabelCount + 1> Segmenter::class_counts() const {
-  std::array<int, kLabelCount + 1> counts{};
-  for (std::size_t label = 0; label < counts.size(); ++label) {
-    counts[label] = static_cast<int>(std::ranges::count(labels_, static_cast<TerrainClass>(label)));
-  }
-  return counts;
+  return count_labels(labels_.data(), pixels_);
 }
 
 }  // namespace hindsight

@@ -35,9 +35,11 @@ inline bool any(const Ints& truth) {
 }
 
 inline float least(const Floats& x) {
-  float result = x[0];
-  for (std::size_t l = 1; l < kLanes; ++l) result = x[l] < result ? x[l] : result;
-  return result;
+  const Floats halves = __builtin_shuffle(x, Ints{4, 5, 6, 7, 0, 1, 2, 3});
+  const Floats a = x < halves ? x : halves;
+  const Floats quarters = __builtin_shuffle(a, Ints{2, 3, 0, 1, 6, 7, 4, 5});
+  const Floats b = a < quarters ? a : quarters;
+  return b[0] < b[1] ? b[0] : b[1];
 }
 
 inline void absolute(Floats& x) { x = x < 0.0f ? -x : x; }

@@ -13,7 +13,8 @@ namespace hindsight::tools {
 struct TickBench {
   double tick_thesis_ms = 0.0;
   double tick_default_ms = 0.0;
-  double opencv_flow_ms = 0.0;  ///< smoothing + corners + Lucas-Kanade on grey frames, the thesis' parameters
+  double opencv_thesis_ms = 0.0;   ///< smoothing + corners + Lucas-Kanade on grey frames, the thesis' parameters
+  double opencv_default_ms = 0.0;  ///< the same with the default parameters
   double allocations_per_tick = 0.0;  ///< of the default configuration, most of any tick in the steady state
 };
 TickBench bench_tick(std::span<const cv::Mat> bgr_frames, const Configuration& thesis, const Configuration& standard);

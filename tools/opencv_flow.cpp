@@ -28,7 +28,8 @@ std::span<const FlowVector> OpencvFlow::update_grey(const cv::Mat& grey) {
   if (!last_grey_.empty() && !corners_.empty()) {
     cv::calcOpticalFlowPyrLK(grey, last_grey_, corners_, matches_, found_, residuals_,
                              {tracker.window_px, tracker.window_px}, tracker.pyramid_levels - 1,
-                             {cv::TermCriteria::COUNT + cv::TermCriteria::EPS, 30, 0.01}, 0, kMinEigenvalue);
+                             {cv::TermCriteria::COUNT + cv::TermCriteria::EPS, tracker.max_iterations, tracker.stop_step_px},
+                             0, kMinEigenvalue);
     for (std::size_t i = 0; i < corners_.size(); ++i) {
       const cv::Point2f step = matches_[i] - corners_[i];
       if (found_[i] != 0) flow_.push_back({corners_[i].x, corners_[i].y, step.x, step.y});

@@ -13,7 +13,8 @@
 namespace hindsight::tools {
 
 /// What perception/optical_flow.h does, by OpenCV's functions: GaussianBlur, goodFeaturesToTrack and
-/// calcOpticalFlowPyrLK with the same kernel, quality, spacing, window and levels (without quota and check).
+/// calcOpticalFlowPyrLK with the same kernel, quality, number, spacing, window, levels
+/// and iterations (without quota and check).
 /// The yardstick for speed and quality.
 class OpencvFlow {
  public:
