@@ -15,9 +15,16 @@ constexpr float kNoContact = -1.0F;
 /// Adds one to a column's counter where its label is `label` or `also`.
 HINDSIGHT_MULTIVERSION
 void count_row(const TerrainClass* labels, std::size_t width, TerrainClass label, TerrainClass also,
-               std::uint8_t* counters) {
+               std::uint8_t* __restrict counters) {
   for (std::size_t x = 0; x < width; ++x)
     counters[x] = static_cast<std::uint8_t>(counters[x] + ((labels[x] == label) | (labels[x] == also)));
+}
+
+/// out[x] is not 0 where any of the counters is not.
+HINDSIGHT_MULTIVERSION
+void join_counters(const std::uint8_t* a, const std::uint8_t* b, const std::uint8_t* c, std::size_t width,
+                   std::uint8_t* __restrict out) {
+  for (std::size_t x = 0; x < width; ++x) out[x] = a[x] | b[x] | c[x];
 }
 
 }  // namespace
@@ -61,8 +68,7 @@ void BottomFinder::count(std::span<const TerrainClass> labels, const PatchBand& 
     count_row(label, width, TerrainClass::bad, bad_also, column_bad_.data());
     count_row(label, width, TerrainClass::lethal, TerrainClass::lethal, column_lethal_.data());
   }
-  for (std::size_t x = 0; x < width; ++x)
-    column_seen_[x] = column_good_[x] | column_bad_[x] | column_lethal_[x];
+  join_counters(column_good_.data(), column_bad_.data(), column_lethal_.data(), width, column_seen_.data());
 }
 
 /// Pixels of each class that a strip has in the band counted last.
@@ -91,29 +97,30 @@ inline int BottomFinder::next_strip_seen(int strip) const {
 /// them is less than step_m, which spares most votes of the near field.
 void BottomFinder::walk_band(int band) {
   const GroundPatch* const patch = &patches_.at(0, band);
+  const std::uint8_t* const is_ground = &patches_.is_ground[static_cast<std::size_t>(patch - patches_.patches.data())];
   const int most_together = patches_.bands[static_cast<std::size_t>(band)].strips_together,
             strips = patches_.strips;
   for (int strip = next_strip_seen(0); strip < strips;) {
     const int begin = strip / most_together * most_together, end = std::min(begin + most_together, strips);
     int good_px = 0;
     for (; strip < end; strip = next_strip_seen(strip + 1))
-      good_px += step(strip, band, patch[strip], counts_of(strip));
+      good_px += step(strip, band, is_ground[strip] != 0, counts_of(strip));
     if (good_px > 0) vote_good(patch[end - 1 - (end - begin) / 2], good_px);
   }
 }
 
 /// One strip goes up by one band. Returns its good pixels that lie on the ground here.
-int BottomFinder::step(int strip, int band, const GroundPatch& here, const Counts& counts) {
+inline int BottomFinder::step(int strip, int band, bool is_ground, const Counts& counts) {
   Walk& walk = walks_[static_cast<std::size_t>(strip)];
   const int obstacle_px = counts.bad + counts.lethal;
   const bool obstacle_here = obstacle_px > 0 && obstacle_px >= counts.good;
   const int min_run_px = params_.min_run_px * strip_px_;
 
   if (!walk.in_obstacle) {
-    const int good_px = here.sample_count > 0 ? counts.good : 0;
+    const int good_px = is_ground ? counts.good : 0;
     if (obstacle_here) {
       const bool first = walk.bad_px + walk.lethal_px == 0;
-      if (first && here.sample_count == 0) return 0;  // sky, or ground too far to tell
+      if (first && !is_ground) return 0;  // sky, or ground too far to tell
       if (first) walk.contact_band = band;
       walk.bad_px += counts.bad;
       walk.lethal_px += counts.lethal;

@@ -56,7 +56,7 @@ class BottomFinder {
   Counts counts_of(int strip) const;
   int next_strip_seen(int strip) const;
   void walk_band(int band);
-  int step(int strip, int band, const GroundPatch& here, const Counts& counts);
+  int step(int strip, int band, bool is_ground, const Counts& counts);
   void vote_good(const GroundPatch& patch, int pixels);
   void finish_obstacle(int strip);
 

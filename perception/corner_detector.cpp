@@ -15,17 +15,17 @@ namespace {
 
 HINDSIGHT_ALWAYS_INLINE float larger(float a, float b) { return a > b ? a : b; }
 
-/// out[i] = 1 where values[i] is above the threshold and none of its eight neighbours is larger. Rows are
+/// out[i] = 1 where here[i] is above the threshold and none of its eight neighbours is larger. Rows are
 /// readable from -1 to count.
 HINDSIGHT_MULTIVERSION
-void mark_local_maxima(const float* above, const float* values, const float* below, float threshold,
-                       int count, std::uint8_t* out) {
+void mark_local_maxima(const float* above, const float* here, const float* below, float threshold, int count,
+                       std::uint8_t* out) {
   for (int i = 0; i < count; ++i) {
-    const float sides = larger(values[i - 1], values[i + 1]);
+    const float sides = larger(here[i - 1], here[i + 1]);
     const float upper = larger(larger(above[i - 1], above[i]), above[i + 1]);
     const float lower = larger(larger(below[i - 1], below[i]), below[i + 1]);
     const float bound = larger(larger(sides, upper), lower);
-    out[i] = static_cast<std::uint8_t>(values[i] >= bound) & static_cast<std::uint8_t>(values[i] > threshold);
+    out[i] = static_cast<std::uint8_t>(here[i] >= bound) & static_cast<std::uint8_t>(here[i] > threshold);
   }
 }
 
@@ -41,7 +41,7 @@ CornerDetector::CornerDetector(const CornerParams& params, int width_px, int hei
     : params_(params),
       width_px_(width_px),
       height_px_(height_px),
-      map_(width_px, height_px, params.smoothing_kernel_px, params.smoothing_sigma_px) {
+      strength_(width_px, height_px, params.smoothing_kernel_px, params.smoothing_sigma_px) {
   const auto pixels = static_cast<std::size_t>(width_px) * static_cast<std::size_t>(height_px);
   is_maximum_.resize(static_cast<std::size_t>(width_px) + 8);
   candidates_.reserve(pixels);
@@ -56,32 +56,36 @@ CornerDetector::CornerDetector(const CornerParams& params, int width_px, int hei
 }
 
 std::span<const Point2f> CornerDetector::detect(const GreyImage& grey) {
-  map_.compute(grey);
-  collect_local_maxima();
+  candidates_.clear();
+  strength_.compute(grey, [this](int y) { collect_local_maxima(y); });
   select();
   return corners_;
 }
 
-void CornerDetector::collect_local_maxima() {
-  candidates_.clear();
-  const float threshold = static_cast<float>(params_.quality) * map_.largest();
+float CornerDetector::threshold() const {
+  return static_cast<float>(params_.quality) * strength_.largest();
+}
+
+/// The image's largest is not yet known: some of these are too weak.
+void CornerDetector::collect_local_maxima(int y) {
+  if (y == 0 || y == height_px_ - 1) return;
   const int inner = width_px_ - 2;  // the outermost pixels have no full neighbourhood
-  for (int y = 1; y + 1 < height_px_; ++y) {
-    const float* values = map_.row(y) + 1;
-    mark_local_maxima(map_.row(y - 1) + 1, values, map_.row(y + 1) + 1, threshold, inner, is_maximum_.data());
-    for (int x = 0; x < inner; x += 8) {
-      std::uint64_t eight;
-      std::memcpy(&eight, is_maximum_.data() + x, sizeof(eight));
-      if (eight == 0) continue;
-      for (int i = x; i < std::min(x + 8, inner); ++i) {
-        if (is_maximum_[static_cast<std::size_t>(i)] == 0) continue;
-        candidates_.push_back(candidate(values[i], static_cast<std::uint32_t>(y * width_px_ + i + 1)));
-      }
+  const float* here = strength_.row(y) + 1;
+  mark_local_maxima(strength_.row(y - 1) + 1, here, strength_.row(y + 1) + 1, threshold(), inner,
+                    is_maximum_.data());
+  for (int x = 0; x < inner; x += 8) {
+    std::uint64_t eight;
+    std::memcpy(&eight, is_maximum_.data() + x, sizeof(eight));
+    for (; eight != 0; eight &= eight - 1) {
+      const int i = x + std::countr_zero(eight) / 8;
+      candidates_.push_back(candidate(here[i], static_cast<std::uint32_t>(y * width_px_ + i + 1)));
     }
   }
 }
 
 void CornerDetector::select() {
+  const std::uint64_t weakest = candidate(threshold(), ~0U);
+  std::erase_if(candidates_, [weakest](std::uint64_t c) { return c >> 32 <= weakest >> 32; });
   std::sort(candidates_.begin(), candidates_.end(), std::greater<>());
   std::fill(blocked_.begin(), blocked_.end(), std::uint8_t{0});
   std::fill(taken_in_cell_.begin(), taken_in_cell_.end(), 0);

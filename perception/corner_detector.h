@@ -24,7 +24,8 @@ class CornerDetector {
   std::span<const Point2f> detect(const GreyImage& grey);
 
  private:
-  void collect_local_maxima();
+  void collect_local_maxima(int y);
+  float threshold() const;
   void select();
   bool quota_left(int x, int y);
   void block_around(int x, int y);
@@ -32,7 +33,7 @@ class CornerDetector {
   CornerParams params_;
   int width_px_;
   int height_px_;
-  MinEigenvalueMap map_;
+  MinEigenvalueRows strength_;
   std::vector<std::uint8_t> is_maximum_;   ///< of one row
   std::vector<std::uint64_t> candidates_;  ///< strength above place, so that plain order is the order wanted
   std::vector<int>

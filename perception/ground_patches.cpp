@@ -60,6 +60,7 @@ class Builder {
       for (int strip = 0; strip < result_.strips; ++strip) add_patch(strip, band);
       end = band.begin;
     }
+    for (const GroundPatch& patch : result_.patches) result_.is_ground.push_back(patch.sample_count > 0);
     return std::move(result_);
   }
 

@@ -46,6 +46,7 @@ struct GroundPatches {
   std::vector<PatchBand> bands;
   std::vector<GroundPatch> patches;  ///< band by band
   std::vector<GroundPoint> samples;
+  std::vector<std::uint8_t> is_ground;  ///< by patch: sample_count > 0, small enough to walk through
 
   const GroundPatch& at(int strip, int band) const {
     return patches[static_cast<std::size_t>(band) * static_cast<std::size_t>(strips) +

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace hindsight {
@@ -15,6 +16,7 @@ OpticalFlow::OpticalFlow(const OpticalFlowParams& params, int width_px, int heig
       last_(current_) {
   const auto most = static_cast<std::size_t>(params.corners.max_features);
   tracked_.reserve(most);
+  sorted_px_.reserve(most);
   corners_px_.reserve(most);
   matches_px_.reserve(most);
   flow_.reserve(most);
@@ -30,14 +32,30 @@ std::span<const FlowVector> OpticalFlow::update(std::span<const std::uint8_t> bg
   return flow_;
 }
 
+/// In bands of rows from the top: neighbours are tracked one after the other, while what they are compared
+/// with is in the processor's near cache.
+void OpticalFlow::sort_features() {
+  band_ends_.fill(0);
+  for (const Point2f& p : features_) ++band_ends_[band_of(p)];
+  std::exclusive_scan(band_ends_.begin(), band_ends_.end(), band_ends_.begin(), std::size_t{0});
+  sorted_px_.resize(features_.size());
+  for (const Point2f& p : features_) sorted_px_[band_ends_[band_of(p)]++] = p;
+}
+
+std::size_t OpticalFlow::band_of(Point2f p) const {
+  return static_cast<std::size_t>(p.y_px) * band_ends_.size() /
+         static_cast<std::size_t>(current_.level(0).height_px());
+}
+
 void OpticalFlow::track_into_last() {
-  tracked_.resize(features_.size());
-  track_points(params_.tracker, current_, last_, current_.levels(), features_, features_, tracked_);
+  sort_features();
+  tracked_.resize(sorted_px_.size());
+  track_points(params_.tracker, current_, last_, current_.levels(), sorted_px_, sorted_px_, tracked_);
   corners_px_.clear();
   matches_px_.clear();
-  for (std::size_t i = 0; i < features_.size(); ++i) {
+  for (std::size_t i = 0; i < sorted_px_.size(); ++i) {
     if (!tracked_[i].found) continue;
-    corners_px_.push_back(features_[i]);
+    corners_px_.push_back(sorted_px_[i]);
     matches_px_.push_back(tracked_[i].point_px);
   }
   const bool check = params_.tracker.forward_backward_px > 0.0;

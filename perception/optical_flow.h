@@ -4,6 +4,7 @@
 // Reverse optical flow at the corners of the newest frame (thesis 2.1 and 2.2).
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -35,6 +36,8 @@ class OpticalFlow {
   std::span<const Point2f> features() const { return features_; }
 
  private:
+  void sort_features();
+  std::size_t band_of(Point2f p) const;
   void track_into_last();
   void track_forth();
   bool came_back(std::size_t i) const;
@@ -45,6 +48,8 @@ class OpticalFlow {
   ImagePyramid last_;
   bool has_last_ = false;
   std::span<const Point2f> features_;
+  std::array<std::size_t, 16> band_ends_{};
+  std::vector<Point2f> sorted_px_;     ///< the features, band by band
   std::vector<TrackedPoint> tracked_;  ///< of the way back, then of the way forth
   std::vector<Point2f> corners_px_;    ///< the features that were found in the last frame
   std::vector<Point2f> matches_px_;    ///< and their places there

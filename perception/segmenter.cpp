@@ -12,7 +12,6 @@
 namespace hindsight {
 namespace {
 
-constexpr std::size_t kColors = std::size_t{1} << 24;
 constexpr std::size_t kBlock_px = 64;  ///< one bit each in a word
 constexpr std::size_t kGroup_px = 8;
 constexpr std::size_t kOverhang = 4;  ///< bytes read behind the last pixel of a block
@@ -91,6 +90,21 @@ std::array<int, kLabelCount + 1> count_labels(const std::uint8_t* labels, std::s
   return counts;
 }
 
+/// Four labels a byte.
+constexpr std::size_t kPackedCube_bytes = kColorsInSmallCube / 4;
+static_assert(kLabelCount + 1 == 4, "two bits a label");
+
+std::uint8_t packed_label(const std::uint8_t* cube, std::uint32_t place) {
+  return cube[place / 4] >> place % 4 * 2 & 3;
+}
+
+void pack(const std::array<std::uint8_t, kColorsInSmallCube>& labels, std::uint8_t* cube) {
+  for (std::size_t i = 0; i < kPackedCube_bytes; ++i) {
+    const std::uint8_t* four = &labels[4 * i];
+    cube[i] = static_cast<std::uint8_t>(four[0] | four[1] << 2 | four[2] << 4 | four[3] << 6);
+  }
+}
+
 bool same_density(const MixtureComponent& a, const MixtureComponent& b) {
   return a.label == b.label && a.mean == b.mean && a.covariance == b.covariance;
 }
@@ -108,7 +122,7 @@ Segmenter::Segmenter(int width_px, int height_px)
     : pixels_(static_cast<std::size_t>(width_px) * static_cast<std::size_t>(height_px)),
       labels_(pixels_ + kBlock_px, static_cast<std::uint8_t>(TerrainClass::unknown)),
       cubes_(kSmallCubes),
-      colors_(kColors) {
+      colors_(kSmallCubes * kPackedCube_bytes) {
   known_.reserve(kMostComponents);
 }
 
@@ -162,7 +176,8 @@ void Segmenter::label_block(const std::uint8_t* bgr, std::size_t begin) {
       labels[pixel] = state_of_cube(cubes[pixel]);
       if (labels[pixel] != kMixed) continue;
     }
-    labels[pixel] = colors[cubes[pixel] * kColorsInSmallCube + place_in_small_cube(key_at(bgr + 3 * pixel))];
+    labels[pixel] = packed_label(colors + cubes[pixel] * kPackedCube_bytes,
+                                 place_in_small_cube(key_at(bgr + 3 * pixel)));
   }
 }
 
@@ -170,8 +185,9 @@ void Segmenter::label_block(const std::uint8_t* bgr, std::size_t begin) {
 std::uint8_t Segmenter::state_of_cube(std::uint32_t small_cube) {
   std::uint8_t& cube = cubes_[small_cube];
   if (cube >> kGenerationShift != generation_) {
-    const std::uint8_t state =
-        classifier_.classify(small_cube, colors_.data() + small_cube * kColorsInSmallCube);
+    std::array<std::uint8_t, kColorsInSmallCube> labels;
+    const std::uint8_t state = classifier_.classify(small_cube, labels.data());
+    if (state == kMixed) pack(labels, colors_.data() + small_cube * kPackedCube_bytes);
     cube = static_cast<std::uint8_t>(generation_ << kGenerationShift | state);
   }
   return cube & kStateBits;

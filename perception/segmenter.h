@@ -26,10 +26,10 @@ namespace hindsight {
 TerrainClass classify_reference(const TerrainMixture& mixture, std::uint8_t b, std::uint8_t g,
                                 std::uint8_t r);
 
-/// Labels every pixel of a frame. Not thread safe. About 20 MB, most of it a table of all 2^24 colours: a
+/// Labels every pixel of a frame. Not thread safe. About 8 MB, most of it a table of all 2^24 colours: a
 /// pixel's label depends on its colour alone. Most cubes of 4 x 4 x 4 colours have one class, so the table of
 /// cubes is asked first, and it stays in the processor's near cache; the colours of a mixed cube stand
-/// together in a cache line. A cube is classified when it first comes after a change of the mixture.
+/// together in a quarter of a cache line, beside those of cubes alike. A cube is classified when it first comes after a change of the mixture.
 class Segmenter {
  public:
   Segmenter(int width_px, int height_px);
@@ -54,7 +54,7 @@ class Segmenter {
   /// By small cube: generation << 3 | label or ColorClassifier::kMixed. Only those of the present generation
   /// count, so a change of the mixture costs nothing but a new generation.
   std::vector<std::uint8_t> cubes_;
-  LargeTable colors_;            ///< labels by small cube * 64 + place_in_small_cube; of the mixed cubes
+  LargeTable colors_;            ///< labels of the mixed cubes' colours, two bits each, by place_in_small_cube
   std::uint8_t generation_ = 1;  ///< 1..31
   std::vector<MixtureComponent> known_;  ///< the components that the tables stand for
   ColorSpace known_space_ = ColorSpace::rgb;

@@ -59,19 +59,28 @@ cv::Mat reference_eigenvalues(const GreyImage& grey, int kernel_px, double sigma
   return eigenvalues;
 }
 
-TEST(MinEigenvalueMap, AgreesWithPlainDoublePrecision) {
+/// All rows of MinEigenvalueRows.
+cv::Mat eigenvalues_of(const GreyImage& grey, int kernel_px, double sigma_px, float& largest) {
+  MinEigenvalueRows rows(grey.width_px(), grey.height_px(), kernel_px, sigma_px);
+  cv::Mat all(grey.height_px(), grey.width_px(), CV_32F);
+  rows.compute(grey, [&](int y) { std::copy_n(rows.row(y), all.cols, all.ptr<float>(y)); });
+  largest = rows.largest();
+  return all;
+}
+
+TEST(MinEigenvalueRows, AgreesWithPlainDoublePrecision) {
   const Texture texture(1);
   const GreyImage grey = grey_of(kWidth, kHeight, [&](int x, int y) { return texture.at(x, y); });
   for (const auto& [kernel_px, sigma_px] : {std::pair{11, 2.15}, {5, 1.0}, {1, 1.0}}) {
-    MinEigenvalueMap map(kWidth, kHeight, kernel_px, sigma_px);
-    map.compute(grey);
+    float found_largest = 0.0F;
+    const cv::Mat found = eigenvalues_of(grey, kernel_px, sigma_px, found_largest);
     const cv::Mat expected = reference_eigenvalues(grey, kernel_px, sigma_px);
     double largest = 0.0;
     cv::minMaxLoc(expected, nullptr, &largest);
-    EXPECT_NEAR(map.largest(), largest, 0.03 * largest) << kernel_px;  // weights are whole parts of 256
+    EXPECT_NEAR(found_largest, largest, 0.03 * largest) << kernel_px;  // weights are whole parts of 256
     for (int y = 0; y < kHeight; ++y) {
       for (int x = 0; x < kWidth; ++x) {
-        ASSERT_NEAR(map.row(y)[x], expected.at<double>(y, x), 0.03 * largest)
+        ASSERT_NEAR(found.at<float>(y, x), expected.at<double>(y, x), 0.03 * largest)
             << kernel_px << ": " << x << ", " << y;
       }
     }
@@ -85,15 +94,15 @@ TEST(CornerDetector, TakesTheLocalMaximaOfItsMapInOrder) {
   params.quality = 0.02;
   params.min_spacing_px = 6.5;
   params.quota_per_cell = 0;
-  MinEigenvalueMap map(kWidth, kHeight, params.smoothing_kernel_px, params.smoothing_sigma_px);
-  map.compute(grey);
+  float strongest = 0.0F;
+  const cv::Mat map = eigenvalues_of(grey, params.smoothing_kernel_px, params.smoothing_sigma_px, strongest);
 
   std::multimap<float, Point2f, std::greater<>> maxima;  // brute force
   for (int y = 1; y < kHeight - 1; ++y) {
     for (int x = 1; x < kWidth - 1; ++x) {
-      const float value = map.row(y)[x];
-      bool largest = value > 0.02F * map.largest();
-      for (int i = 0; i < 9; ++i) largest = largest && map.row(y + i / 3 - 1)[x + i % 3 - 1] <= value;
+      const float value = map.at<float>(y, x);
+      bool largest = value > 0.02F * strongest;
+      for (int i = 0; i < 9; ++i) largest = largest && map.at<float>(y + i / 3 - 1, x + i % 3 - 1) <= value;
       if (largest) maxima.emplace(value, Point2f{static_cast<float>(x), static_cast<float>(y)});
     }
   }
