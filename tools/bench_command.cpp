@@ -111,7 +111,8 @@ int bench(const BenchOptions& options) {
     fmt::print("{}\n", result.dump(2));
     return kExitOk;
   }
-  for (const auto& [key, value] : result.flatten().items()) fmt::print("{:<40} {:>10.4g}\n", key.substr(1), value.get<double>());
+  const nlohmann::ordered_json flat = result.flatten();
+  for (const auto& [key, value] : flat.items()) fmt::print("{:<40} {:>10.4g}\n", key.substr(1), value.get<double>());
   return kExitOk;
 }
 
