@@ -13,8 +13,8 @@ class SimWheel {
   /// One step on ground that goes by at `ground_mps` and bears at most `grip_n`; returns the traction on the
   /// vehicle [N].
   double turn(double ground_mps, double grip_n, double dt_s);
-  /// Stops it dead: where the vehicle stands and nothing moves it.
-  void rest() { speed_mps_ = 0.0; }
+  /// Stops it dead, the brake on: where the vehicle stands and nothing moves it.
+  void rest() { speed_mps_ = motor_n_ = integral_n_ = slip_ratio_ = 0.0; }
 
   double set_point_mps() const { return set_point_mps_; }
   double speed_mps() const { return speed_mps_; }
