@@ -181,11 +181,15 @@ double Builder::draw_radius_m(const StrewnParams& params, Random& random) const 
   return random.uniform(params.radius_min_m, params.radius_max_m);
 }
 
-/// Where objects stand, and the way must lead: not around the outside.
+/// Where objects stand, and the way must lead: not around the outside. Holds start and goal wherever they
+/// are.
 WorldBox Builder::strip() const {
+  constexpr double kMargin_m = 3.0;
   const double half_m = 0.5 * course_.course.width_m;
-  WorldBox box{{std::min(0.0, world_.start.x_m) - 3.0, -half_m}, {course_.course.length_m + 3.0, half_m}};
-  for (double x_m = 0.0; x_m <= course_.course.length_m; x_m += 1.0) {
+  const WorldPoint &start = world_.start, &goal = world_.goal;
+  WorldBox box{{std::min(start.x_m, goal.x_m) - kMargin_m, std::min(start.y_m, goal.y_m) - kMargin_m},
+               {std::max(start.x_m, goal.x_m) + kMargin_m, std::max(start.y_m, goal.y_m) + kMargin_m}};
+  for (double x_m = box.least.x_m; x_m <= box.most.x_m; x_m += 1.0) {
     box.least.y_m = std::min(box.least.y_m, lane_.y_m(x_m) - half_m);
     box.most.y_m = std::max(box.most.y_m, lane_.y_m(x_m) + half_m);
   }

@@ -8,8 +8,8 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <set>
 
+#include "config/configuration.h"
 #include "config/exit_code.h"
 #include "sim_replay/world/obstacle.h"
 #include "sim_replay/world/passage.h"
@@ -127,6 +127,22 @@ TEST(TheForest, StandsInTheStraightWay) {
       return tree.at.x_m > 0.0 && tree.at.x_m < 70.0 && std::abs(tree.at.y_m) < tree.radius_m + 0.4;
     });
     EXPECT_GE(in_the_way, 3) << "seed " << seed;
+  }
+}
+
+TEST(ACourse, ReadsBackAsItIsPrinted) {
+  for (const std::string& file : course_files()) {
+    Course course = load_course(file);
+    EXPECT_TRUE(same(build_world(course_from(print_configuration(course)), 2), build_world(course, 2)))
+        << file;
+  }
+}
+
+TEST(ATrail, IsDense) {
+  const Course course = load_course(HINDSIGHT_SOURCE_DIR "/sim_replay/courses/desert_road_winding.toml");
+  const std::vector<WorldPoint> centre = build_world(course, 1).trails.at(0).centre;
+  for (std::size_t i = 1; i < centre.size(); ++i) {
+    EXPECT_LT(std::hypot(centre[i].x_m - centre[i - 1].x_m, centre[i].y_m - centre[i - 1].y_m), 1.0);
   }
 }
 
