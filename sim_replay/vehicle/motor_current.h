@@ -18,11 +18,14 @@ class MotorCurrent {
   double current_a() const { return current_a_; }
 
  private:
+  void disturb(double dt_s);
   void swing(bool slipping, double dt_s);
 
   Random random_;
   double current_a_ = 0.0;
-  double load_noise_ = 0.0;
+  double floor_ = 0.0;
+  double hump_ = 0.0;
+  double hump_rate_ = 0.0;
   double swing_part_ = 0.0;  ///< 0 no swing, 1 all of it
   double swing_amplitude_ = 0.0;
   double swing_detuning_hz_ = 0.0;

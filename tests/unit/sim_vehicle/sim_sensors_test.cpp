@@ -7,7 +7,6 @@
 #include <cmath>
 #include <map>
 
-#include "perception/slip_detector.h"
 #include "sim_replay/vehicle/gps_receiver.h"
 #include "sim_replay/vehicle/ir_sensor.h"
 #include "sim_replay/vehicle/wheel_encoder.h"
@@ -15,90 +14,6 @@
 
 namespace hindsight {
 namespace {
-
-constexpr double kCurrentRate_hz = 50.0;
-
-/// Drives in a straight line and has the project's own detector listen.
-class SlipListener {
- public:
-  explicit SlipListener(const World& world, std::uint64_t seed) : drive_(world, seed) {}
-
-  const SlipReport& step(double left_mps, double right_mps) {
-    drive_.step(WheelCommand{left_mps, right_mps});
-    const VehicleSignals& signals = drive_.signals();
-    detector_.add_current(hindsight::Wheel::left, signals.currents_stamp, signals.left_a);
-    detector_.add_current(hindsight::Wheel::right, signals.currents_stamp, signals.right_a);
-    return detector_.update(drive_.now,
-                            {WheelMotion{left_mps, signals.left_mps}, {right_mps, signals.right_mps}});
-  }
-  const SimVehicle& vehicle() const { return drive_.vehicle; }
-
- private:
-  TestDrive drive_;
-  SlipDetector detector_{{}, kCurrentRate_hz};
-};
-
-TEST(MotorCurrents, SwingNear3HzWhereWheelsSlip) {
-  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-    SlipListener listener(flat_world(Ground::mud), seed);
-    SlipReport report;
-    for (int i = 0; i < 600; ++i) report = listener.step(1.0, 1.0);
-    EXPECT_TRUE(listener.vehicle().slipping());
-    EXPECT_TRUE(report.slipping) << "seed " << seed;
-    for (const WheelSlip& wheel : report.wheels) {
-      EXPECT_GT(wheel.component, 0.25) << "seed " << seed;
-      EXPECT_NEAR(wheel.component_hz, 3.0, 0.5) << "seed " << seed;
-    }
-  }
-}
-
-TEST(MotorCurrents, DoNotLookLikeSlipOnGrass) {
-  SlipListener listener(flat_world(Ground::grass), 4);
-  Random random(4);
-  WheelCommand command;
-  for (int i = 0; i < 60 * 60 * 100; ++i) {
-    if (i % 300 == 0) {
-      command.left_mps = random.uniform(0.3, 1.2);
-      command.right_mps = command.left_mps + random.uniform(-0.2, 0.2);
-    }
-    ASSERT_FALSE(listener.step(command.left_mps, command.right_mps).slipping) << i;
-  }
-}
-
-/// As far from steady as the recordings that the noise was made after: 0.19 to 0.41 of the mean.
-TEST(MotorCurrents, AreAsUnsteadyAsRecordedOnes) {
-  TestDrive drive(flat_world(Ground::grass), 6);
-  drive.drive(0.8, 0.8, 2.0);
-  double sum = 0.0, sum2 = 0.0;
-  constexpr int kSteps = 3000;
-  for (int i = 0; i < kSteps; ++i) {
-    drive.step(WheelCommand{0.8, 0.8});
-    sum += drive.signals().left_a;
-    sum2 += drive.signals().left_a * drive.signals().left_a;
-  }
-  const double mean_a = sum / kSteps;
-  EXPECT_GT(mean_a, 2.0);
-  EXPECT_LT(mean_a, 6.0);
-  const double unsteadiness = std::sqrt(sum2 / kSteps - mean_a * mean_a) / mean_a;
-  EXPECT_GT(unsteadiness, 0.19);
-  EXPECT_LT(unsteadiness, 0.41);
-}
-
-TEST(MotorCurrents, RiseUphill) {
-  World slope = flat_world(Ground::grass);
-  slope.terrain.slope_x = 0.1;
-  const auto mean_a = [](const World& world) {
-    TestDrive drive(world);
-    drive.drive(0.6, 0.6, 2.0);
-    double sum = 0.0;
-    for (int i = 0; i < 1000; ++i) {
-      drive.step(WheelCommand{0.6, 0.6});
-      sum += drive.signals().left_a / 1000;
-    }
-    return sum;
-  };
-  EXPECT_GT(mean_a(slope), 1.5 * mean_a(flat_world(Ground::grass)));
-}
 
 TEST(AWheelEncoder, CountsWholeTicksThatWrap) {
   WheelEncoder encoder{Random(1)};
