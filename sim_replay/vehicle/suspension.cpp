@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "sim_replay/vehicle/suspension.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -16,6 +17,8 @@ constexpr double kSwing_radps = 2.0 * std::numbers::pi * 3.5;
 constexpr double kDamping = 0.4;
 /// The nose dips when braking.
 constexpr double kPitchForAcceleration_radpmps2 = 0.008;
+/// What tyres can do; a trunk stops the vehicle faster, but takes hold of it as low as they do.
+constexpr double kMostAcceleration_mps2 = 8.0;
 /// Of bumps that tyres still feel.
 constexpr double kBumpLengths_m[] = {0.9, 0.35};
 constexpr double kBumpWeights[] = {1.3, 0.8};
@@ -50,7 +53,8 @@ Suspension::Suspension(const World& world, double track_width_m, const PlanarPos
 void Suspension::step(const World& world, const PlanarPose& X_WB, double acceleration_mps2, double dt_s) {
   const Stance target = stance(world, X_WB);
   z_.follow(target.z_m, dt_s);
-  pitch_.follow(target.pitch_rad - kPitchForAcceleration_radpmps2 * acceleration_mps2, dt_s);
+  const double felt_mps2 = std::clamp(acceleration_mps2, -kMostAcceleration_mps2, kMostAcceleration_mps2);
+  pitch_.follow(target.pitch_rad - kPitchForAcceleration_radpmps2 * felt_mps2, dt_s);
   roll_.follow(target.roll_rad, dt_s);
 }
 

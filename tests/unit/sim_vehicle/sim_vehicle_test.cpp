@@ -228,6 +228,15 @@ TEST(ABody, PitchesAndRollsOnRoughGround) {
   }
 }
 
+TEST(ABody, HardlyPitchesWhenItMeetsATree) {
+  TestDrive drive(with_tree(3.0, 0.0));
+  for (int i = 0; i < 400; ++i) {
+    drive.step(WheelCommand{1.2, 1.2});
+    ASSERT_LT(std::abs(drive.vehicle.pose().pitch_rad), 0.1);
+  }
+  EXPECT_EQ(drive.vehicle.touches(), 1);
+}
+
 TEST(AVehicle, NoticesThatItLeavesTheWorld) {
   World world = flat_world(Ground::road);
   world.goal = {0.0, 0.0};

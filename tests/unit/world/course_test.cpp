@@ -117,6 +117,20 @@ TEST(EachCourse, HasAWayForFiftySeeds) {
   }
 }
 
+TEST(AWorld, IsPassableThroughGapsThatAreWideEnough) {
+  World world;
+  world.goal = {20.0, 0.0};
+  world.fences.push_back({{{10.0, 1.0}, {10.0, 9.0}}, 1.2});
+  world.fences.push_back({{{10.0, -1.0}, {10.0, -9.0}}, 1.2});
+  const WorldBox box{{-3.0, -5.0}, {23.0, 5.0}};
+  EXPECT_TRUE(is_passable(world, box, 1.5));
+  EXPECT_FALSE(is_passable(world, box, 2.1));
+  world.bushes.push_back({{10.0, 0.0}, 0.5, 0.8, true, 1});
+  EXPECT_TRUE(is_passable(world, box, 1.5)) << "through it";
+  world.bushes[0].drivable = false;
+  EXPECT_FALSE(is_passable(world, box, 1.5));
+}
+
 /// Without them, "avoids obstacles" would say nothing.
 TEST(TheForest, StandsInTheStraightWay) {
   const Course course = load_course(HINDSIGHT_SOURCE_DIR "/sim_replay/courses/forest.toml");
