@@ -42,8 +42,8 @@ Trail make_trail(const Course& course, const Lane& lane) {
 }
 
 /// One patch in each part of the way, so that they do not all lie in one place.
-std::vector<GroundPatch> make_mud(const MudParams& params, const Lane& lane, Random random) {
-  std::vector<GroundPatch> patches;
+std::vector<GroundSpot> make_mud(const MudParams& params, const Lane& lane, Random random) {
+  std::vector<GroundSpot> patches;
   const double part_m = (params.to_m - params.from_m) / params.patches;
   for (int i = 0; i < params.patches; ++i) {
     const double x_m = params.from_m + part_m * (i + random.uniform(0.0, 1.0));

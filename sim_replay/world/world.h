@@ -66,7 +66,7 @@ struct Trail {
 };
 
 /// A round patch of other ground.
-struct GroundPatch {
+struct GroundSpot {
   WorldPoint at;
   double radius_m = 2.0;
   Ground ground = Ground::mud;
@@ -109,7 +109,7 @@ struct World {
   std::vector<Rock> rocks;
   std::vector<Fence> fences;
   std::vector<Trail> trails;      ///< later ones lie on earlier ones
-  std::vector<GroundPatch> patches;  ///< lie on all trails
+  std::vector<GroundSpot> patches;  ///< lie on all trails
 
   /// What lies at a point, edges of trails decided at half their fading.
   Ground ground_at(WorldPoint p) const;
