@@ -16,8 +16,7 @@ namespace {
 
 constexpr int kGroups = FloatMixture::kGroups;
 constexpr std::int32_t kUnknown = static_cast<std::int32_t>(TerrainClass::unknown);
-/// Ask the doubles: no label, and not one of MixtureLikelihood's.
-constexpr std::int32_t kAsk = 4;
+constexpr std::int32_t kAsk = 4;  ///< ask the doubles
 
 /// x becomes e^x, for x <= 0, within 2e-6 relatively; 0 below -80. x = n ln 2 + r with |r| <= ln 2 / 2, and
 /// the Taylor series of e^r.
@@ -39,141 +38,167 @@ inline void exp_of_negative(Floats& x) {
   x = counts ? e * scale : Floats{};
 }
 
-/// Labels of a small cube's colours; kAsk where the floats cannot tell.
-HINDSIGHT_MULTIVERSION void classify_lanes(const CubeColors& colors, const FloatMixture& terms,
-                                           const ComponentSelection& selection, std::int32_t* labels) {
+/// The lanes of numbers that have no bits in common, in one.
+HINDSIGHT_ALWAYS_INLINE std::uint32_t together(const Ints& x) {
+  std::uint64_t words[kLanes / 2];
+  std::memcpy(words, &x, sizeof words);
+  const std::uint64_t both = (words[0] | words[1]) | (words[2] | words[3]);
+  return static_cast<std::uint32_t>(both | both >> 32);
+}
+
+/// An octant's labels, four bits each: bits 0 and 1 are the label, bit 2 tells that the floats cannot tell.
+HINDSIGHT_MULTIVERSION std::uint32_t classify_lanes(const OctantColors& colors, const FloatMixture& terms,
+                                                    const ComponentSelection& selection) {
   using Row = FloatMixture;
   Floats score[kMostComponents];
-  float log_count[kGroups];
+  Floats cx, cy, cz;
+  load(cx, colors.channel[0].data()), load(cy, colors.channel[1].data()), load(cz, colors.channel[2].data());
+  Floats nearest = Floats{} + std::numeric_limits<float>::max(), best = -nearest;
+  Floats group_best[kGroups] = {best, best, best, best};
+  for (std::size_t j = 0; j < selection.count; ++j) {
+    const std::size_t column = selection.column[j];
+    const auto v = [&](Row::Row row) { return terms.value[row][column]; };
+    const Floats x = cx - v(Row::mean0), y = cy - v(Row::mean1), z = cz - v(Row::mean2);
+    const Floats p = v(Row::w00) * x, q = v(Row::w10) * x + v(Row::w11) * y;
+    const Floats r = v(Row::w20) * x + v(Row::w21) * y + v(Row::w22) * z;
+    const Floats d2 = p * p + q * q + r * r;  // (5.2)
+    score[j] = v(Row::log_factor) - 0.5f * d2;
+    smaller_of(nearest, d2);
+    larger_of(best, score[j]);
+    larger_of(group_best[terms.group[column]], score[j]);
+  }
+
+  // A class whose best summand beats all of another class together needs no sums.
+  Ints rivals = Ints{}, winner = Ints{};
+  const float log_count = 0.6931472f * static_cast<float>(std::bit_width(selection.count));  // at least it
+  const Floats beaten = best - (terms.error.score + log_count);
   for (int g = 0; g < kGroups; ++g) {
-    const std::size_t count = selection.group_end[g] - (g == 0 ? 0 : selection.group_end[g - 1]);
-    log_count[g] = 0.6931472f * static_cast<float>(std::bit_width(count));  // at least its logarithm
+    winner |= (group_best[g] == best) & g;
+    rivals -= group_best[g] >= beaten;  // truth is -1
   }
   const float surely_out = terms.gate2 + terms.error.d2_near_gate,
               surely_in = terms.gate2 - terms.error.d2_near_gate;
-  for (std::size_t i = 0; i < kColorsInSmallCube; i += kLanes) {
-    Floats cx, cy, cz;
-    load(cx, &colors.channel[0][i]), load(cy, &colors.channel[1][i]), load(cz, &colors.channel[2][i]);
-    Floats nearest = Floats{} + std::numeric_limits<float>::max(), best = -nearest, group_best[kGroups];
-    for (std::size_t g = 0, j = 0; g < kGroups; ++g) {
-      Floats largest = Floats{} + std::numeric_limits<float>::lowest();
-      for (; j < selection.group_end[g]; ++j) {
-        const std::size_t column = selection.column[j];
-        const auto v = [&](Row::Row row) { return terms.value[row][column]; };
-        const Floats x = cx - v(Row::mean0), y = cy - v(Row::mean1), z = cz - v(Row::mean2);
-        const Floats p = v(Row::w00) * x, q = v(Row::w10) * x + v(Row::w11) * y;
-        const Floats r = v(Row::w20) * x + v(Row::w21) * y + v(Row::w22) * z;
-        const Floats d2 = p * p + q * q + r * r;  // (5.2)
-        score[j] = v(Row::log_factor) - 0.5f * d2;
-        nearest = d2 < nearest ? d2 : nearest;
-        larger_of(largest, score[j]);
-      }
-      group_best[g] = largest;
-      larger_of(best, largest);
+  if (any((rivals != 1) & (nearest <= surely_out))) {
+    Floats sum[kGroups] = {}, top = Floats{};  // (5.1), relative to the best summand
+    for (std::size_t j = 0; j < selection.count; ++j) {
+      Floats share = score[j] - best;
+      exp_of_negative(share);
+      sum[terms.group[selection.column[j]]] += share;
     }
-
-    // A class whose best summand beats all of another class together needs no sums.
-    Ints rivals = Ints{}, winner = Ints{};
-    const Floats beaten = best - terms.error.score;
+    for (const Floats& of_group : sum) larger_of(top, of_group);
+    winner = rivals = Ints{};
     for (int g = 0; g < kGroups; ++g) {
-      const Ints leads = group_best[g] == best;
-      winner |= leads & g;
-      rivals -= (group_best[g] + log_count[g] >= beaten) | leads;  // truth is -1
+      winner |= (sum[g] == top) & g;
+      rivals -= sum[g] >= top * (1.0f - terms.error.likelihood_ratio);
     }
-    if (any((rivals != 1) & (nearest <= surely_out))) {
-      Floats sum[kGroups], top = Floats{};  // (5.1), relative to the best summand
-      for (std::size_t g = 0, j = 0; g < kGroups; ++g) {
-        sum[g] = Floats{};
-        for (; j < selection.group_end[g]; ++j) {
-          Floats share = score[j] - best;
-          if (!any(share >= -FloatMixture::kNegligible)) continue;
-          exp_of_negative(share);
-          sum[g] += share;
-        }
-        larger_of(top, sum[g]);
-      }
-      winner = rivals = Ints{};
-      for (int g = 0; g < kGroups; ++g) {
-        winner |= (sum[g] == top) & g;
-        rivals -= sum[g] >= top * (1.0f - terms.error.likelihood_ratio);
-      }
-    }
-    const Ints inside = ((rivals == 1) & (nearest < surely_in)) ? winner : Ints{} + kAsk;
-    store(labels + i, nearest > surely_out ? Ints{} + kUnknown : inside);
+  }
+  constexpr Ints kPlaces{0, 1, 2, 3, 4, 5, 6, 7};
+  const Ints outside = nearest > surely_out;
+  const Ints label = outside ? Ints{} + kUnknown : winner & kUnknown;
+  const Ints sure = outside | ((rivals == 1) & (nearest < surely_in));
+  return together((label | (~sure & kAsk)) << 4 * kPlaces);
+}
+
+/// Not any set of components: they were too many to be remembered.
+constexpr std::uint64_t kTooMany = ~std::uint64_t{0};
+
+/// The components that matter of those remembered.
+template <typename Remembered>
+void narrow(const Remembered& memory, std::uint64_t matters, ComponentSelection& selection) {
+  selection.count = 0;
+  const std::size_t per_bit = components_per_bit(memory.count);
+  for (; matters != 0; matters &= matters - 1) {
+    const std::size_t first = static_cast<std::size_t>(std::countr_zero(matters)) * per_bit;
+    selection.column[selection.count++] = memory.column[first];
+    if (per_bit == 2 && first + 1 < memory.count)
+      selection.column[selection.count++] = memory.column[first + 1];
   }
 }
 
 }  // namespace
 
 ColorClassifier::ColorClassifier()
-    : exact_(kMostComponents),
-      cubes_(ColorSpace::rgb),
-      known_(kLargeCubes, Known::nothing),
-      remembered_(kLargeCubes) {}
+    : exact_(kMostComponents), cubes_(ColorSpace::rgb), huge_(kHugeCubes), remembered_(kLargeCubes) {}
 
 void ColorClassifier::set(const TerrainMixture& mixture) {
   exact_.set(mixture.components(), mixture.params().gate);
   if (mixture.color_space() != color_space_) cubes_ = ColorCubes(mixture.color_space());
   color_space_ = mixture.color_space();
   mixture_.set(exact_, color_space_);
-  std::ranges::fill(known_, Known::nothing);
-  part_of_ = kLargeCubes;
+  for (Huge& huge : huge_) huge.known = false;
 }
 
-std::uint8_t ColorClassifier::classify(std::uint32_t small_cube, std::uint8_t* labels) {
-  const std::uint32_t large_cube = large_cube_of(small_cube);
-  const Known known = look_at_large(large_cube);
-  if (known <= Known::unknown) return static_cast<std::uint8_t>(known);
-  take_part_for(large_cube);
-  const Outlook outlook = survey(part_, cubes_.around_small(small_cube), selection_);
-  if (outlook.decided) return static_cast<std::uint8_t>(outlook.label);
-  classify_each(small_cube, labels);
-  return kMixed;
-}
-
-ColorClassifier::Known ColorClassifier::look_at_large(std::uint32_t large_cube) {
-  static_assert(kMostComponents <= 256, "columns are remembered as bytes");
-  Known& known = known_[large_cube];
-  if (known != Known::nothing) return known;
-  const Outlook outlook = survey(mixture_, cubes_.around_large(large_cube), selection_);
-  if (outlook.decided) return known = static_cast<Known>(outlook.label);
-  known = selection_.count() <= Remembered::kMost ? Known::selection : Known::too_many;
-  if (known == Known::too_many) return known;
-  const auto as_byte = [](std::size_t v) { return static_cast<std::uint8_t>(v); };
-  Remembered& memory = remembered_[large_cube];
-  memory.count = as_byte(selection_.count());
-  std::ranges::transform(selection_.group_end, memory.group_end, as_byte);
-  std::transform(selection_.column, selection_.column + memory.count, memory.column, as_byte);
-  return known;
-}
-
-void ColorClassifier::take_part_for(std::uint32_t large_cube) {
-  if (large_cube == part_of_) return;
-  part_of_ = large_cube;
-  if (known_[large_cube] == Known::selection) {
-    const Remembered& memory = remembered_[large_cube];
-    std::ranges::copy(memory.group_end, selection_.group_end);
-    std::copy_n(memory.column, memory.count, selection_.column);
-  } else {
-    survey(mixture_, cubes_.around_large(large_cube), selection_);
+const ColorClassifier::Family& ColorClassifier::judge(std::uint32_t large_cube) {
+  const Huge& huge = look_at_huge(large_cube / kFamily);
+  const std::size_t i = large_cube % kFamily;
+  std::uint8_t state = huge.large_ones.state[i];
+  if (state == kMixed && huge.large_ones.matters[i] == kTooMany) {
+    const Outlook outlook = survey(mixture_, cubes_.large_ones_in(large_cube / kFamily).one(i), selection_);
+    if (outlook.decided) state = static_cast<std::uint8_t>(outlook.label);
+  } else if (state == kMixed) {
+    narrow(huge.selection, huge.large_ones.matters[i], selection_);
   }
-  take_columns(mixture_, selection_, part_);
+  if (state == kMixed) {
+    survey_inside(cubes_.small_ones_in(large_cube), remembered_[large_cube], family_);
+  } else {
+    family_.state.fill(state);
+  }
+  return family_;
 }
 
-void ColorClassifier::classify_each(std::uint32_t small_cube, std::uint8_t* labels) {
-  CubeColors colors;
-  find_colors(color_space_, small_cube, colors);
-  std::array<std::int32_t, kColorsInSmallCube> found;
-  classify_lanes(colors, part_, selection_, found.data());
-  for (std::size_t i = 0; i < kColorsInSmallCube; ++i) {
-    labels[i] = static_cast<std::uint8_t>(found[i]);
-    if (found[i] != kAsk) continue;
+const ColorClassifier::Huge& ColorClassifier::look_at_huge(std::uint32_t huge_cube) {
+  Huge& huge = huge_[huge_cube];
+  if (huge.known) return huge;
+  huge.known = true;
+  const Outlook outlook = survey(mixture_, cubes_.around_huge(huge_cube), selection_);
+  if (outlook.decided) {
+    huge.large_ones.state.fill(static_cast<std::uint8_t>(outlook.label));
+  } else {
+    survey_inside(cubes_.large_ones_in(huge_cube), huge.selection, huge.large_ones);
+  }
+  return huge;
+}
+
+/// By the components of selection_, which it remembers.
+void ColorClassifier::survey_inside(const ColorBoxes& boxes, Remembered& memory, Family& family) {
+  if (selection_.count > Remembered::kMost) {
+    family.state.fill(kMixed);
+    family.matters.fill(kTooMany);
+    return;
+  }
+  memory.count = static_cast<std::uint8_t>(selection_.count);
+  std::ranges::copy_n(selection_.column, memory.count, memory.column);
+  Outlooks outlooks;
+  survey_family(mixture_, selection_, boxes, outlooks);
+  std::ranges::copy(outlooks.matters, family.matters.begin());
+  std::ranges::transform(outlooks.label, family.state.begin(), [](std::int32_t label) {
+    return label < 0 ? kMixed : static_cast<std::uint8_t>(label);
+  });
+}
+
+std::uint32_t ColorClassifier::classify(std::uint32_t small_cube, std::uint32_t octant,
+                                        std::uint64_t matters) {
+  const std::uint32_t large_cube = small_cube / kFamily;
+  if (matters == kTooMany) {
+    const ColorBox box = cubes_.small_ones_in(large_cube).one(small_cube % kFamily);
+    const Outlook outlook = survey(mixture_, box, selection_);
+    if (outlook.decided) return 0x11111111u * static_cast<std::uint32_t>(outlook.label);
+  } else {
+    narrow(remembered_[large_cube], matters, selection_);
+  }
+  OctantColors colors;
+  find_colors(color_space_, small_cube, octant, colors);
+  std::uint32_t labels = classify_lanes(colors, mixture_, selection_);
+  constexpr std::uint32_t kAskAny = 0x11111111u * kAsk;
+  for (std::uint32_t ask = labels & kAskAny; ask != 0; ask &= ask - 1) {
+    const auto i = static_cast<unsigned>(std::countr_zero(ask)) / 4;
     const auto byte = [key = colors.key[i]](int shift) {
       return static_cast<std::uint8_t>(key >> shift & 255u);
     };
-    labels[i] =
-        static_cast<std::uint8_t>(exact_.classify(color_of(color_space_, byte(0), byte(8), byte(16))));
+    const auto label = exact_.classify(color_of(color_space_, byte(0), byte(8), byte(16)));
+    labels = (labels & ~(15u << 4 * i)) | static_cast<std::uint32_t>(label) << 4 * i;
   }
+  return labels;
 }
 
 }  // namespace hindsight

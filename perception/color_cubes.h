@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Hindsight authors
 // SPDX-License-Identifier: BSD-2-Clause
 //
-// The 2^24 colours as cubes: 2^18 small ones of 4 x 4 x 4 colours, and 2^15 large ones of 2 x 2 x 2 of those.
+// The 2^24 colours as cubes of three sizes: 2^18 small ones of 4 x 4 x 4 colours, 2^15 large ones of 8 x 8 x
+// 8, 2^12 huge ones of 16 x 16 x 16. The eight cubes in cube i of the next size are 8 i .. 8 i + 7.
 #pragma once
 
 #include <array>
@@ -15,48 +16,64 @@ namespace hindsight {
 
 constexpr std::size_t kSmallCubes = std::size_t{1} << 18;
 constexpr std::size_t kLargeCubes = std::size_t{1} << 15;
-constexpr std::size_t kColorsInSmallCube = 64;
+constexpr std::size_t kHugeCubes = std::size_t{1} << 12;
+constexpr std::uint32_t kFamily =
+    8;  ///< cubes in one of the next size, and colours in an octant of a small one
 
-/// Of the colour b | g << 8 | r << 16: the high six bits of each channel.
-constexpr std::uint32_t small_cube_of(std::uint32_t key) {
-  return (key >> 2 & 0x3Fu) | (key >> 4 & 0xFC0u) | (key >> 6 & 0x3F000u);
+/// Bits 0 and 1 of each channel of the colour b | g << 8 | r << 16, as b, g, r of bit 1 above b, g, r of bit
+/// 0. Of a colour, or of each of a vector of them.
+template <typename Keys>
+constexpr void put_low_bits_together(const Keys& key, Keys& bits) {
+  const Keys apart = (key & 0x010101u) | (key & 0x020202u) << 2;
+  bits = (apart | apart >> 7 | apart >> 14) & 63u;
 }
-/// Place of a colour in its small cube, 0..63: the low two bits of each channel. The product moves them
-/// together.
+template <typename Keys>
+constexpr void find_small_cube(const Keys& key, Keys& cube) {
+  put_low_bits_together(Keys(key >> 2), cube);
+  cube |= (key << 2 & 0x3C0u) | (key >> 2 & 0x3C00u) | (key >> 6 & 0x3C000u);
+}
+/// Place of a colour in its small cube, 0..63: its octant of 2 x 2 x 2 colours, then the place in that.
 constexpr std::uint32_t place_in_small_cube(std::uint32_t key) {
-  return (key & 0x030303u) * 0x10410u >> 16 & 63u;
+  std::uint32_t place = 0;
+  put_low_bits_together(key, place);
+  return place;
 }
-/// Of a small cube: the high five bits of each channel.
-constexpr std::uint32_t large_cube_of(std::uint32_t small_cube) {
-  return (small_cube >> 1 & 0x1Fu) | (small_cube >> 2 & 0x3E0u) | (small_cube >> 3 & 0x7C00u);
-}
+
 /// Box in a colour space: |c - middle| <= half in each channel.
 struct ColorBox {
   float middle[3], half[3];
 };
+/// Those of the eight cubes in one of the next size.
+struct ColorBoxes {
+  float middle[3][kFamily], half[3][kFamily];
 
-/// The colours of a small cube by place_in_small_cube, as bytes and in a colour space.
-struct CubeColors {
-  std::array<std::uint32_t, kColorsInSmallCube> key;  ///< b | g << 8 | r << 16
-  std::array<std::array<float, kColorsInSmallCube>, 3> channel;
+  ColorBox one(std::size_t i) const;
 };
-void find_colors(ColorSpace space, std::uint32_t small_cube, CubeColors& colors);
 
-/// The smallest boxes that hold the small cubes in a colour space, wider by more than the floats' error.
-/// Not thread safe.
+/// The colours of an octant by place, as bytes and in a colour space.
+struct OctantColors {
+  std::array<std::uint32_t, kFamily> key;  ///< b | g << 8 | r << 16
+  std::array<std::array<float, kFamily>, 3> channel;
+};
+void find_colors(ColorSpace space, std::uint32_t small_cube, std::uint32_t octant, OctantColors& colors);
+
+/// The smallest boxes that hold cubes in a colour space, wider by more than the floats' error. Those of a
+/// curved space take long, and are remembered. Not thread safe.
 class ColorCubes {
  public:
   explicit ColorCubes(ColorSpace space);
 
-  ColorBox around_small(std::uint32_t small_cube);
-  ColorBox around_large(std::uint32_t large_cube);
+  ColorBoxes small_ones_in(std::uint32_t large_cube);
+  ColorBoxes large_ones_in(std::uint32_t huge_cube);
+  ColorBox around_huge(std::uint32_t huge_cube);
 
  private:
-  ColorBox measure(std::uint32_t small_cube) const;
+  const ColorBoxes& measure_small_ones_in(std::uint32_t large_cube);
+  const ColorBoxes& measure_large_ones_in(std::uint32_t huge_cube);
 
   ColorSpace space_;
-  std::vector<ColorBox>
-      known_;  ///< of a curved space, where they take long; half[0] is 0 where not yet known
+  std::vector<ColorBoxes> small_ones_;  ///< by large cube; half[0][0] is 0 where not yet measured
+  std::vector<ColorBoxes> large_ones_;  ///< by huge cube, likewise
 };
 
 }  // namespace hindsight

@@ -71,15 +71,4 @@ void FloatMixture::set(const MixtureLikelihood& exact, ColorSpace color_space) {
   error.likelihood_ratio = static_cast<float>(std::min(1.0, 2.0 * relative));  // both of two may be off
 }
 
-void take_columns(const FloatMixture& whole, const ComponentSelection& selection, FloatMixture& part) {
-  const std::size_t count = selection.count();
-  fill_up(part, count);
-  for (std::size_t j = 0; j < count; ++j) part.group[j] = whole.group[selection.column[j]];
-  for (int row = 0; row < FloatMixture::kRows; ++row) {
-    for (std::size_t j = 0; j < count; ++j) part.value[row][j] = whole.value[row][selection.column[j]];
-  }
-  part.gate2 = whole.gate2;
-  part.error = whole.error;
-}
-
 }  // namespace hindsight

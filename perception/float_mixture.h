@@ -37,15 +37,11 @@ struct FloatMixture {
   void set(const MixtureLikelihood& exact, ColorSpace color_space);
 };
 
-/// Columns of a FloatMixture in the order of their groups, and where each group ends.
+/// Columns of a FloatMixture.
 struct ComponentSelection {
-  std::uint16_t column[kMostComponents];
-  std::size_t group_end[FloatMixture::kGroups];
-
-  std::size_t count() const { return group_end[FloatMixture::kGroups - 1]; }
+  std::uint8_t column[kMostComponents];
+  std::size_t count;
 };
-
-/// `part` becomes the selected columns of `whole`.
-void take_columns(const FloatMixture& whole, const ComponentSelection& selection, FloatMixture& part);
+static_assert(kMostComponents <= 256, "columns are bytes");
 
 }  // namespace hindsight

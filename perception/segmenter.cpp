@@ -19,6 +19,7 @@ constexpr unsigned kGenerationShift = 3;
 constexpr unsigned kGenerations = 31;
 constexpr std::uint8_t kStateBits = 7;
 constexpr std::uint8_t kMixed = ColorClassifier::kMixed;
+constexpr std::uint32_t kNotYet = ~0u;  ///< no octant's labels
 
 static_assert(std::endian::native == std::endian::little, "the cubes of pixels are taken from words");
 
@@ -31,18 +32,20 @@ std::uint32_t key_at(const std::uint8_t* pixel) {
 
 /// Small cubes of eight pixels; reads kOverhang bytes behind them.
 HINDSIGHT_ALWAYS_INLINE void cubes_of(const std::uint8_t* bgr, std::uint32_t* cubes) {
-  using Bytes = std::uint8_t __attribute__((vector_size(16)));
-  using Words = std::uint32_t __attribute__((vector_size(16)));
-  constexpr Bytes spread{0, 1, 2, 16, 3, 4, 5, 16, 6, 7, 8, 16, 9, 10, 11, 16};
-  for (std::size_t half = 0; half < 2; ++half) {
-    Bytes bytes;
-    std::memcpy(&bytes, bgr + 12 * half, sizeof bytes);
-    bytes = __builtin_shuffle(bytes, Bytes{}, spread);
-    Words key;
-    std::memcpy(&key, &bytes, sizeof key);
-    const Words cube = (key >> 2 & 0x3Fu) | (key >> 4 & 0xFC0u) | (key >> 6 & 0x3F000u);
-    std::memcpy(cubes + 4 * half, &cube, sizeof cube);
-  }
+  using Half = std::uint64_t __attribute__((vector_size(16)));
+  using Bytes = std::uint8_t __attribute__((vector_size(32)));
+  using Words = std::uint32_t __attribute__((vector_size(32)));
+  // Behind each pixel comes a byte that does not count.
+  constexpr Bytes spread{0,  1,  2,  0,  3,  4,  5,  0,  6,  7,  8,  0,  9,  10, 11, 0,
+                         16, 17, 18, 16, 19, 20, 21, 16, 22, 23, 24, 16, 25, 26, 27, 16};
+  Half first, second;
+  std::memcpy(&first, bgr, sizeof first);
+  std::memcpy(&second, bgr + 12, sizeof second);
+  const Bytes bytes = __builtin_shuffle(Bytes(__builtin_shufflevector(first, second, 0, 1, 2, 3)), spread);
+  Words key, cube;
+  std::memcpy(&key, &bytes, sizeof key);
+  find_small_cube(key, cube);
+  std::memcpy(cubes, &cube, sizeof cube);
 }
 
 /// One bit for each byte that is no label, the first byte's lowest.
@@ -90,21 +93,6 @@ std::array<int, kLabelCount + 1> count_labels(const std::uint8_t* labels, std::s
   return counts;
 }
 
-/// Four labels a byte.
-constexpr std::size_t kPackedCube_bytes = kColorsInSmallCube / 4;
-static_assert(kLabelCount + 1 == 4, "two bits a label");
-
-std::uint8_t packed_label(const std::uint8_t* cube, std::uint32_t place) {
-  return cube[place / 4] >> place % 4 * 2 & 3;
-}
-
-void pack(const std::array<std::uint8_t, kColorsInSmallCube>& labels, std::uint8_t* cube) {
-  for (std::size_t i = 0; i < kPackedCube_bytes; ++i) {
-    const std::uint8_t* four = &labels[4 * i];
-    cube[i] = static_cast<std::uint8_t>(four[0] | four[1] << 2 | four[2] << 4 | four[3] << 6);
-  }
-}
-
 bool same_density(const MixtureComponent& a, const MixtureComponent& b) {
   return a.label == b.label && a.mean == b.mean && a.covariance == b.covariance;
 }
@@ -122,7 +110,7 @@ Segmenter::Segmenter(int width_px, int height_px)
     : pixels_(static_cast<std::size_t>(width_px) * static_cast<std::size_t>(height_px)),
       labels_(pixels_ + kBlock_px, static_cast<std::uint8_t>(TerrainClass::unknown)),
       cubes_(kSmallCubes),
-      colors_(kSmallCubes * kPackedCube_bytes) {
+      mixed_(kSmallCubes * sizeof(MixedCube)) {
   known_.reserve(kMostComponents);
 }
 
@@ -169,28 +157,39 @@ void Segmenter::label_block(const std::uint8_t* bgr, std::size_t begin) {
   std::array<std::uint32_t, kBlock_px> cubes;
   std::uint8_t* const labels = &labels_[begin];
   std::uint64_t unlabelled = look_up(cubes_.data(), generation_, bgr, cubes.data(), labels);
-  const std::uint8_t* const colors = colors_.data();
   for (; unlabelled != 0; unlabelled &= unlabelled - 1) {
     const auto pixel = static_cast<std::size_t>(std::countr_zero(unlabelled));
     if (labels[pixel] > kMixed) {
       labels[pixel] = state_of_cube(cubes[pixel]);
       if (labels[pixel] != kMixed) continue;
     }
-    labels[pixel] = packed_label(colors + cubes[pixel] * kPackedCube_bytes,
-                                 place_in_small_cube(key_at(bgr + 3 * pixel)));
+    labels[pixel] = label_in_mixed(cubes[pixel], place_in_small_cube(key_at(bgr + 3 * pixel)));
   }
 }
 
-/// Classifies it if an earlier pixel of the same block has not done so.
+/// Judges it, and the others in its large cube, if an earlier pixel of the same block has not done so.
 std::uint8_t Segmenter::state_of_cube(std::uint32_t small_cube) {
-  std::uint8_t& cube = cubes_[small_cube];
-  if (cube >> kGenerationShift != generation_) {
-    std::array<std::uint8_t, kColorsInSmallCube> labels;
-    const std::uint8_t state = classifier_.classify(small_cube, labels.data());
-    if (state == kMixed) pack(labels, colors_.data() + small_cube * kPackedCube_bytes);
-    cube = static_cast<std::uint8_t>(generation_ << kGenerationShift | state);
+  if (cubes_[small_cube] >> kGenerationShift != generation_) {
+    const std::uint32_t first = small_cube / kFamily * kFamily;
+    const ColorClassifier::Family& family = classifier_.judge(small_cube / kFamily);
+    for (std::uint32_t i = 0; i < kFamily; ++i) {
+      cubes_[first + i] = static_cast<std::uint8_t>(generation_ << kGenerationShift | family.state[i]);
+      if (family.state[i] != kMixed) continue;
+      mixed(first + i).matters = family.matters[i];
+      std::ranges::fill(mixed(first + i).labels, kNotYet);
+    }
   }
-  return cube & kStateBits;
+  return cubes_[small_cube] & kStateBits;
+}
+
+/// Classifies the colours of an octant when the first of them comes.
+inline std::uint8_t Segmenter::label_in_mixed(std::uint32_t small_cube, std::uint32_t place) {
+  std::uint32_t& labels = mixed(small_cube).labels[place / kFamily];
+  if (labels == kNotYet) {
+    const std::uint64_t matters = mixed(small_cube).matters;
+    labels = classifier_.classify(small_cube, place / kFamily, matters);
+  }
+  return labels >> place % kFamily * 4 & 15;
 }
 
 std::array<int, kLabelCount + 1> Segmenter::class_counts() const {

@@ -26,10 +26,11 @@ namespace hindsight {
 TerrainClass classify_reference(const TerrainMixture& mixture, std::uint8_t b, std::uint8_t g,
                                 std::uint8_t r);
 
-/// Labels every pixel of a frame. Not thread safe. About 8 MB, most of it a table of all 2^24 colours: a
+/// Labels every pixel of a frame. Not thread safe. About 15 MB, most of it a table of all 2^24 colours: a
 /// pixel's label depends on its colour alone. Most cubes of 4 x 4 x 4 colours have one class, so the table of
 /// cubes is asked first, and it stays in the processor's near cache; the colours of a mixed cube stand
-/// together in a quarter of a cache line, beside those of cubes alike. A cube is classified when it first comes after a change of the mixture.
+/// together, beside those of cubes alike. A cube is judged, and an octant of a mixed one
+/// classified, when a colour of it first comes after a change of the mixture.
 class Segmenter {
  public:
   Segmenter(int width_px, int height_px);
@@ -48,14 +49,24 @@ class Segmenter {
   void forget();
   void label_block(const std::uint8_t* bgr, std::size_t begin);
   std::uint8_t state_of_cube(std::uint32_t small_cube);
+  std::uint8_t label_in_mixed(std::uint32_t small_cube, std::uint32_t place);
+
+  /// A small cube of several classes.
+  struct MixedCube {
+    std::uint32_t labels[kFamily];  ///< of an octant, four bits each, by place; or kNotYet
+    std::uint64_t matters;          ///< the classifier's
+  };
+  MixedCube& mixed(std::uint32_t small_cube) {
+    return reinterpret_cast<MixedCube*>(mixed_.data())[small_cube];
+  }
 
   std::size_t pixels_;
   std::vector<std::uint8_t> labels_;  ///< TerrainClass as numbers, up to whole blocks
   /// By small cube: generation << 3 | label or ColorClassifier::kMixed. Only those of the present generation
   /// count, so a change of the mixture costs nothing but a new generation.
   std::vector<std::uint8_t> cubes_;
-  LargeTable colors_;            ///< labels of the mixed cubes' colours, two bits each, by place_in_small_cube
-  std::uint8_t generation_ = 1;  ///< 1..31
+  LargeTable mixed_;                     ///< MixedCube by small cube
+  std::uint8_t generation_ = 1;          ///< 1..31
   std::vector<MixtureComponent> known_;  ///< the components that the tables stand for
   ColorSpace known_space_ = ColorSpace::rgb;
   double known_gate_ = 0.0;

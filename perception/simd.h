@@ -44,6 +44,8 @@ inline float least(const Floats& x) {
 
 inline void absolute(Floats& x) { x = x < 0.0f ? -x : x; }
 
+inline void smaller_of(Floats& x, const Floats& y) { x = y < x ? y : x; }
+
 inline void larger_of(Floats& x, const Floats& y) { x = y > x ? y : x; }
 
 }  // namespace hindsight
