@@ -25,3 +25,4 @@ install(FILES ${units}/80-hindsight-can0.network DESTINATION lib/systemd/network
 install(FILES ${units}/hindsight.sysusers DESTINATION lib/sysusers.d RENAME hindsight.conf)
 install(FILES ${units}/hindsight.tmpfiles DESTINATION lib/tmpfiles.d RENAME hindsight.conf)
 install(FILES ${units}/60-hindsight.sysctl DESTINATION lib/sysctl.d RENAME 60-hindsight.conf)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/sim_replay/courses/ DESTINATION ${CMAKE_INSTALL_DATADIR}/hindsight/courses)

@@ -13,6 +13,7 @@
 #include "config/exit_code.h"
 #include "perception/slip_detector.h"
 #include "tools/motor_csv.h"
+#include "tools/slip_score.h"
 
 namespace hindsight::tools {
 namespace {
@@ -39,25 +40,6 @@ SlipDetectorParams thesis_params() {
   return params;
 }
 
-/// A detection is a rising edge of the slip state; a recording begins without slip.
-Tally detect(const MotorRecording& recording, double rate_hz, const SlipDetectorParams& params) {
-  SlipDetector detector(params, rate_hz);
-  Tally tally;
-  bool slipped = false;
-  for (const MotorSample& sample : recording.samples) {
-    const Time now = from_seconds(static_cast<double>(tally.samples++) / rate_hz);
-    detector.add_current(Wheel::left, now, sample.left_a);
-    detector.add_current(Wheel::right, now, sample.right_a);
-    // The recordings hold no commands: a wheel that turns was told to. One of unknown speed is taken to turn.
-    const double unknown_mps = recording.has_speeds ? 0.0 : params.min_speed_mps;
-    const double left_mps = sample.left_mps + unknown_mps, right_mps = sample.right_mps + unknown_mps;
-    const bool slips = detector.update(now, {{{left_mps, left_mps}, {right_mps, right_mps}}}).slipping;
-    if (slips && !slipped) ++tally.detections;
-    slipped = slips;
-  }
-  return tally;
-}
-
 nlohmann::ordered_json figures(const Tally& tally, double rate_hz) {
   const double hours = static_cast<double>(tally.samples) / rate_hz / 3600.0;
   return {{"hours", hours}, {"detections", tally.detections}, {"per_hour", tally.detections / hours}};
@@ -69,14 +51,14 @@ int eval_slip(const Options& options) {
                      "--columns: got three names; expected two currents, or two currents and two speeds");
   }
   Tally by_default, by_thesis;
-  const auto add = [](Tally& sum, const Tally& part) {
-    sum.samples += part.samples;
-    sum.detections += part.detections;
+  const auto add = [&](Tally& sum, const MotorRecording& recording, const SlipDetectorParams& params) {
+    sum.samples += recording.samples.size();
+    sum.detections += count_detections(recording, options.rate_hz, params);
   };
   for (const std::string& file : options.files) {
     const MotorRecording recording = read_motor_csv(file, options.columns);
-    add(by_default, detect(recording, options.rate_hz, SlipDetectorParams{}));
-    add(by_thesis, detect(recording, options.rate_hz, thesis_params()));
+    add(by_default, recording, SlipDetectorParams{});
+    add(by_thesis, recording, thesis_params());
   }
   nlohmann::ordered_json result = figures(by_default, options.rate_hz);
   result["thesis"] = figures(by_thesis, options.rate_hz);

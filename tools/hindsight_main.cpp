@@ -7,11 +7,12 @@
 #include "perception/single_thread.h"
 #include "tools/bench_command.h"
 #include "tools/commands.h"
-#include "tools/demo_command.h"
 #include "tools/eval_command.h"
+#include "tools/experiment_command.h"
 #include "tools/import_command.h"
 #include "tools/report_command.h"
 #include "tools/send_command.h"
+#include "tools/sim_command.h"
 #include "tools/spy_command.h"
 #include "tools/verify_command.h"
 
@@ -22,11 +23,12 @@ int main(int argc, char** argv) {
   app.require_subcommand(1);
   tools::Run run = [] { return static_cast<int>(kExitOk); };
   tools::add_bench(app, run);
-  tools::add_demo(app, run);
   tools::add_eval(app, run);
+  tools::add_experiment(app, run);
   tools::add_import(app, run);
   tools::add_report(app, run);
   tools::add_send(app, run);
+  tools::add_sim(app, run);
   tools::add_spy(app, run);
   tools::add_verify(app, run);
   try {

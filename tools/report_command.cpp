@@ -12,6 +12,7 @@
 #include "daemon/run_setup.h"
 #include "tools/report_gallery.h"
 #include "tools/report_page.h"
+#include "tools/report_video.h"
 
 namespace hindsight::tools {
 namespace {
@@ -21,6 +22,7 @@ struct ReportArguments {
   std::string folder;
   std::vector<std::string> configuration_files;
   bool recover = false;
+  bool video = false;
 };
 
 void show_progress(const ReplayRun& run, std::size_t ticks, bool last) {
@@ -37,13 +39,18 @@ int report(const ReportArguments& arguments) {
   const ReportFolder folder(arguments.folder);
   Gallery gallery(folder);
   RunTrace trace;
+  std::optional<ReportVideo> video;
+  if (arguments.video) video.emplace((folder.path() / "drive").string(), run.configuration().robot.loop_rate_hz,
+                                     cv::Size(run.camera().width_px, run.camera().height_px));
   while (run.step()) {
     trace.add(run);
+    if (video) video->look(run, trace);
     gallery.look(run, trace.ticks.back().time_s);
     if (trace.ticks.size() % 16 == 0) show_progress(run, trace.ticks.size(), false);
   }
   show_progress(run, trace.ticks.size(), true);
-  write_page(folder, arguments.log, run, trace, gallery);
+  const std::string film = video ? std::filesystem::path(video->path()).filename().string() : std::string();
+  write_page(folder, arguments.log, run, trace, gallery, film);
   fmt::print("{}: {} ticks, {} frames, {} training events\n", (folder.path() / "index.html").string(),
              trace.ticks.size(), trace.frames, trace.events.size());
   return kExitOk;
@@ -61,6 +68,7 @@ void add_report(CLI::App& app, Run& run) {
       ->type_name("DIR");
   command->add_option("--config", arguments->configuration_files,
                       "Configuration instead of the log's own; an imported log has none");
+  command->add_flag("--video", arguments->video, "Write a film of the run, too: the view beside the map");
   command->add_flag("--recover", arguments->recover, "Skip what is damaged in the log");
   command->callback([arguments, &run] { run = [arguments] { return report(*arguments); }; });
 }

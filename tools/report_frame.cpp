@@ -73,6 +73,14 @@ cv::Rect pixel_rect(const ImageRect& rect, double scale) {
   return {at(rect.x_px), at(rect.y_px), std::max(1, at(rect.width_px)), std::max(1, at(rect.height_px))};
 }
 
+std::vector<ImageRect> touched_patches(std::span<const Lesson> lessons) {
+  std::vector<ImageRect> patches;
+  for (const Lesson& lesson : lessons) {
+    if (lesson.event.in_view && lesson.event.frames_back == 0) patches.push_back(lesson.event.patch_px);
+  }
+  return patches;
+}
+
 cv::Mat draw_frame(const Frame& frame, const Sight& sight, std::span<const ImageRect> touched) {
   cv::Mat picture = view_of(frame.bgr, frame.width_px, frame.height_px).clone();
   tint_labels(picture, sight.labels());

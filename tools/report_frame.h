@@ -4,10 +4,15 @@
 
 #include <opencv2/core.hpp>
 #include <span>
+#include <vector>
 
+#include "daemon/learner.h"
 #include "daemon/sight.h"
 
 namespace hindsight::tools {
+
+/// The patches of the newest frame that lessons are about.
+std::vector<ImageRect> touched_patches(std::span<const Lesson> lessons);
 
 /// The frame as the robot saw it: labels as transparent colours, the horizon, flow from where points were to
 /// where they are, the foot of each column's nearest obstacle, and `touched` patches. `sight` must have taken

@@ -30,14 +30,6 @@ std::string figure(const std::string& file, const std::string& caption) {
       file, escape_html(caption));
 }
 
-std::vector<ImageRect> patches_now(std::span<const Lesson> lessons) {
-  std::vector<ImageRect> patches;
-  for (const Lesson& lesson : lessons) {
-    if (lesson.event.in_view && lesson.event.frames_back == 0) patches.push_back(lesson.event.patch_px);
-  }
-  return patches;
-}
-
 bool any_contact(std::span<const Lesson> lessons) {
   return std::any_of(lessons.begin(), lessons.end(),
                      [](const Lesson& lesson) { return is_contact(lesson.event.cause); });
@@ -83,7 +75,7 @@ void Gallery::look_at_frame(ReplayRun& run, double time_s) {
   if (spread) ++spread_frames_;
   if (contact) ++contact_frames_;
   const std::string file = fmt::format("frame_{:06}.jpg", run.input().index);
-  folder_.write_picture(file, draw_frame(*frame, run.robot().sight(), patches_now(lessons)));
+  folder_.write_picture(file, draw_frame(*frame, run.robot().sight(), touched_patches(lessons)));
   frames_html_ += figure(file, frame_caption(run, time_s));
 }
 

@@ -148,6 +148,19 @@ void draw_scale(cv::Mat& picture, double px_per_m) {
 
 }  // namespace
 
+MapScene scene_of(ReplayRun& run, const RunTrace& trace) {
+  Robot& robot = run.robot();
+  MapScene scene;
+  scene.grid = &robot.grid();
+  for (const TickTrace& tick : trace.ticks) scene.track_W.push_back({tick.X_WB.x_m, tick.X_WB.y_m});
+  scene.path_W.assign(robot.plan().path_W.begin(), robot.plan().path_W.end());
+  scene.goal_W = robot.goal_W();
+  scene.events = trace.events;
+  scene.X_WB = robot.localisation().estimate().X_WB;
+  scene.vehicle = run.configuration().vehicle;
+  return scene;
+}
+
 MapView::MapView(Point2 south_west_W, Point2 north_east_W, double px_per_m)
     : south_west_W_(south_west_W), north_east_W_(north_east_W), px_per_m_(px_per_m) {}
 

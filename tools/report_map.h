@@ -25,6 +25,9 @@ struct MapScene {
   VehicleParams vehicle;
 };
 
+/// What is to be drawn of a run after the tick that it has just stepped through.
+MapScene scene_of(ReplayRun& run, const RunTrace& trace);
+
 /// From W to pixels: x east is to the right, y north is up.
 class MapView {
  public:

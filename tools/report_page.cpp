@@ -136,21 +136,8 @@ std::string configuration_differences(Configuration configuration) {
       count, rows);
 }
 
-MapScene final_scene(ReplayRun& run, const RunTrace& trace) {
-  Robot& robot = run.robot();
-  MapScene scene;
-  scene.grid = &robot.grid();
-  for (const TickTrace& tick : trace.ticks) scene.track_W.push_back({tick.X_WB.x_m, tick.X_WB.y_m});
-  scene.path_W.assign(robot.plan().path_W.begin(), robot.plan().path_W.end());
-  scene.goal_W = robot.goal_W();
-  scene.events = trace.events;
-  scene.X_WB = robot.localisation().estimate().X_WB;
-  scene.vehicle = run.configuration().vehicle;
-  return scene;
-}
-
 void add_map(std::string& page, const ReportFolder& folder, ReplayRun& run, const RunTrace& trace) {
-  const MapScene scene = final_scene(run, trace);
+  const MapScene scene = scene_of(run, trace);
   folder.write_picture("map.png", draw_map(scene, fit_map(scene, kMapPx)));
   page += "<img src='map.png' alt='map'>\n";
 }
@@ -180,7 +167,7 @@ std::string or_none(const std::string& html) { return html.empty() ? "<p>None in
 }  // namespace
 
 void write_page(const ReportFolder& folder, const std::string& log, ReplayRun& run, const RunTrace& trace,
-                const Gallery& gallery) {
+                const Gallery& gallery, const std::string& video) {
   const std::string name = escape_html(std::filesystem::path(log).filename().string());
   std::string page = fmt::format(
       "<!doctype html>\n<html lang='en'><head><meta "
@@ -193,6 +180,10 @@ void write_page(const ReportFolder& folder, const std::string& log, ReplayRun& r
                 "Sources: " + source_keys() +
                     ". Stop reason: green where motion was permitted. Point at a stretch to read it.");
   page += state_chart(trace) + speed_chart(trace, Wheel::left) + speed_chart(trace, Wheel::right);
+  if (!video.empty()) {
+    section.begin("Film", "The run as it went by: the view, drawn over, and the map around the robot, north up.");
+    page += fmt::format("<p><a href='{0}'>{0}</a></p>\n<video src='{0}' controls muted width='1120'></video>\n", escape_html(video));
+  }
   section.begin("Map", "The evidence grid at the end of the run, north up." + key({129, 199, 150}, "free") +
                            key(kBad, "high cost") + key(kLethal, "lethal") + key(kUnknown, "unknown") +
                            key(kInk, "driven") + key(kRight, "planned") + key({214, 51, 132}, "goal") +

@@ -11,9 +11,9 @@
 
 namespace hindsight::tools {
 
-/// Writes the map, the spectrograms and index.html, which shows all of a report; `run` has ended.
-/// FatalError 74.
+/// Writes the map, the spectrograms and index.html, which shows all of a report; `run` has ended. `video`: file in the
+/// folder, or empty. FatalError 74.
 void write_page(const ReportFolder& folder, const std::string& log, ReplayRun& run, const RunTrace& trace,
-                const Gallery& gallery);
+                const Gallery& gallery, const std::string& video);
 
 }  // namespace hindsight::tools

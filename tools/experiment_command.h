@@ -6,7 +6,6 @@
 
 namespace hindsight::tools {
 
-/// `hindsight demo`: a run of its own in a synthetic grove, recorded as OUT/demo.lcm.
-void add_demo(CLI::App& app, Run& run);
+void add_experiment(CLI::App& app, Run& run);
 
 }  // namespace hindsight::tools

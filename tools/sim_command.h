@@ -1,0 +1,11 @@
+// SPDX-FileCopyrightText: 2026 The Hindsight authors
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+#include "tools/commands.h"
+
+namespace hindsight::tools {
+
+void add_sim(CLI::App& app, Run& run);
+
+}  // namespace hindsight::tools
