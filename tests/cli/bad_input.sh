@@ -126,6 +126,19 @@ expect 66 'absent.lcm' "$tool" report absent.lcm -o report
 expect 66 'absent' "$tool" eval traceback --frames absent
 expect 66 'absent' "$tool" eval planner --maps absent
 expect 66 'absent.csv' "$tool" eval slip --csv absent.csv --rate 10
+
+# Simulation
+courses=$source/sim_replay/courses
+expect 64 'course' "$tool" sim
+expect 66 'absent.toml' "$tool" sim absent.toml
+overlay course.toml '[course]\nname = "x"\nlenght_m = 70.0\n'
+expect 78 'course.toml:3:1.*lenght_m.*length_m' "$tool" sim course.toml
+overlay inside.toml '[course]\nname = "x"\n[trees]\nat_m = [0.2, 0.1]\n'
+expect 78 'inside.toml: the start .* tree' "$tool" sim inside.toml
+expect 69 'no EGL' env __EGL_VENDOR_LIBRARY_FILENAMES=/absent "$tool" sim "$courses/forest.toml" --seconds 1
+expect 74 'absent/run.lcm' "$tool" sim "$courses/orange_fence.toml" --seconds 1 --record absent/run.lcm
+expect 66 'segmentation_' "$tool" experiment navigation "$courses/forest.toml" -o experiment
+
 expect 64 'north_m' "$tool" send go-to 1
 expect 64 'ADDRESS:PORT' "$tool" send --to nowhere stop
 exit $failed
