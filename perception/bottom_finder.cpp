@@ -97,7 +97,8 @@ inline int BottomFinder::next_strip_seen(int strip) const {
 /// them is less than step_m, which spares most votes of the near field.
 void BottomFinder::walk_band(int band) {
   const GroundPatch* const patch = &patches_.at(0, band);
-  const std::uint8_t* const is_ground = &patches_.is_ground[static_cast<std::size_t>(patch - patches_.patches.data())];
+  const std::uint8_t* const is_ground =
+      &patches_.is_ground[static_cast<std::size_t>(patch - patches_.patches.data())];
   const int most_together = patches_.bands[static_cast<std::size_t>(band)].strips_together,
             strips = patches_.strips;
   for (int strip = next_strip_seen(0); strip < strips;) {

@@ -62,9 +62,7 @@ std::span<const Point2f> CornerDetector::detect(const GreyImage& grey) {
   return corners_;
 }
 
-float CornerDetector::threshold() const {
-  return static_cast<float>(params_.quality) * strength_.largest();
-}
+float CornerDetector::threshold() const { return static_cast<float>(params_.quality) * strength_.largest(); }
 
 /// The image's largest is not yet known: some of these are too weak.
 void CornerDetector::collect_local_maxima(int y) {

@@ -126,10 +126,8 @@ HINDSIGHT_ALWAYS_INLINE void compute_gradients(const GreyImage& image, float x, 
           __builtin_shuffle(below.left[v], below.right[v], Pixels{1, 2, 3, 4, 5, 6, 7, kLanes + 6});
       if (r < 2) continue;
       const Row &a = above, &b = here, &c = below;
-      const Pixels gx =
-          (a.right[v] - a.left[v]) + 2 * (b.right[v] - b.left[v]) + (c.right[v] - c.left[v]);
-      const Pixels gy =
-          (c.left[v] - a.left[v]) + 2 * (c.middle[v] - a.middle[v]) + (c.right[v] - a.right[v]);
+      const Pixels gx = (a.right[v] - a.left[v]) + 2 * (b.right[v] - b.left[v]) + (c.right[v] - c.left[v]);
+      const Pixels gy = (c.left[v] - a.left[v]) + 2 * (c.middle[v] - a.middle[v]) + (c.right[v] - a.right[v]);
       Pixels inside;
       mark_inside(kWindow, v, inside);
       t.grey[r - 2][v] = b.middle[v];
@@ -276,12 +274,18 @@ void track_points(const TrackerParams& params, const ImagePyramid& from, const I
       tracked[i] = track_point<kWindow>(params, from, to, levels, points_px[i], guesses_px[i]);
   };
   switch (params.window_px) {
-    case 3: return track.template operator()<3>();
-    case 5: return track.template operator()<5>();
-    case 7: return track.template operator()<7>();
-    case 9: return track.template operator()<9>();
-    case 11: return track.template operator()<11>();
-    default: return track.template operator()<13>();
+    case 3:
+      return track.template operator()<3>();
+    case 5:
+      return track.template operator()<5>();
+    case 7:
+      return track.template operator()<7>();
+    case 9:
+      return track.template operator()<9>();
+    case 11:
+      return track.template operator()<11>();
+    default:
+      return track.template operator()<13>();
   }
 }
 

@@ -67,14 +67,22 @@ void smooth(const std::uint8_t* first, std::ptrdiff_t stride, const HalfKernel& 
     filter_row<kRadius>(sums, weights, count, out);
   };
   switch (radius) {
-    case 0: return filter.template operator()<0>();
-    case 1: return filter.template operator()<1>();
-    case 2: return filter.template operator()<2>();
-    case 3: return filter.template operator()<3>();
-    case 4: return filter.template operator()<4>();
-    case 5: return filter.template operator()<5>();
-    case 6: return filter.template operator()<6>();
-    default: return filter.template operator()<7>();
+    case 0:
+      return filter.template operator()<0>();
+    case 1:
+      return filter.template operator()<1>();
+    case 2:
+      return filter.template operator()<2>();
+    case 3:
+      return filter.template operator()<3>();
+    case 4:
+      return filter.template operator()<4>();
+    case 5:
+      return filter.template operator()<5>();
+    case 6:
+      return filter.template operator()<6>();
+    default:
+      return filter.template operator()<7>();
   }
 }
 
@@ -191,8 +199,8 @@ void MinEigenvalueRows::solve_row(int y) {
                          {a.xy.data(), b.xy.data(), c.xy.data()},
                          {a.yy.data(), b.yy.data(), c.yy.data()}};
   float* const sums[3] = {sums_.xx.data(), sums_.xy.data(), sums_.yy.data()};
-  const float largest = solve_row_of(rows, static_cast<int>(width_), sums,
-                                     values_[static_cast<std::size_t>(y + 3) % 3].data());
+  const float largest =
+      solve_row_of(rows, static_cast<int>(width_), sums, values_[static_cast<std::size_t>(y + 3) % 3].data());
   largest_ = std::max(largest_, largest);
 }
 

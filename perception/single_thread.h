@@ -4,8 +4,8 @@
 
 namespace hindsight {
 
-/// Keeps OpenCV from using its own thread pool, which would take cores from the loop and add jitter. Call once, at the
-/// start of main.
+/// Keeps OpenCV from using its own thread pool, which would take cores from the loop and add jitter. Call
+/// once, at the start of main.
 void keep_opencv_single_threaded();
 
 }  // namespace hindsight

@@ -25,7 +25,8 @@ constexpr std::size_t kMostComponents = 256;
 ///
 /// The defaults were measured by training online, with up to six 16 x 16 px events a frame from the labelled
 /// nearest rows, and comparing the labels of far 8 x 8 px blocks (traversable or not): AUROC over off-road
-/// stills in three orders, and their mean; balanced accuracy; share of unknown pixels | AUROC over a trail run.
+/// stills in three orders, and their mean; balanced accuracy; share of unknown pixels | AUROC over a trail
+/// run.
 ///   the thesis' values, 256 components  .777 .812 .834  .807  .726  61 % | .9991
 ///   rgb, K = 16, gate 3                 .824 .765 .835  .808  .708   9 % | .9979
 ///   rgb, K = 32, gate 3 (default)       .811 .795 .827  .811  .714  11 % | .9991

@@ -34,12 +34,14 @@ struct Case {
   int start;
 };
 
-/// The course with its start moved within kStartRadius_m, the same for all arms; somewhere else where a tree is.
+/// The course with its start moved within kStartRadius_m, the same for all arms; somewhere else where a tree
+/// is.
 World world_with_start(Course course, unsigned seed, int start) {
   Random random(seed, static_cast<std::uint64_t>(start) + 1000);
   const StartParams middle = course.start;
   for (int drawing = 0; drawing < kMostDrawings; ++drawing) {
-    const double x = random.uniform(-kStartRadius_m, kStartRadius_m), y = random.uniform(-kStartRadius_m, kStartRadius_m);
+    const double x = random.uniform(-kStartRadius_m, kStartRadius_m),
+                 y = random.uniform(-kStartRadius_m, kStartRadius_m);
     if (x * x + y * y > kStartRadius_m * kStartRadius_m) continue;
     course.start.x_m = middle.x_m + x;
     course.start.aside_m = middle.aside_m + y;
@@ -54,9 +56,12 @@ World world_with_start(Course course, unsigned seed, int start) {
 
 nlohmann::json to_json(const NavigationRun& run) {
   nlohmann::json path = nlohmann::json::array();
-  for (const WorldPoint& p : run.path) path.push_back({std::round(p.x_m * 100) / 100, std::round(p.y_m * 100) / 100});
-  return {{"arm", run.arm},         {"world_seed", run.world_seed}, {"start", run.start},     {"seconds", run.seconds},
-          {"touches", run.touches}, {"ir_touches", run.ir_touches}, {"reached", run.reached}, {"path", path}};
+  for (const WorldPoint& p : run.path)
+    path.push_back({std::round(p.x_m * 100) / 100, std::round(p.y_m * 100) / 100});
+  return {{"arm", run.arm},         {"world_seed", run.world_seed},
+          {"start", run.start},     {"seconds", run.seconds},
+          {"touches", run.touches}, {"ir_touches", run.ir_touches},
+          {"reached", run.reached}, {"path", path}};
 }
 
 NavigationRun from_json(const nlohmann::json& json) {
@@ -79,7 +84,8 @@ NavigationRun drive(const NavigationExperiment& experiment, const Course& course
   while (!now.reached && now.seconds < experiment.seconds) {
     sim.step();
     now = sim.summary();
-    if (now.ticks % kTicksPerPathPoint == 1) run.path.push_back({sim.feed().X_WB().x_m, sim.feed().X_WB().y_m});
+    if (now.ticks % kTicksPerPathPoint == 1)
+      run.path.push_back({sim.feed().X_WB().x_m, sim.feed().X_WB().y_m});
   }
   run.seconds = now.seconds;
   run.touches = now.touches;
@@ -97,7 +103,8 @@ std::vector<NavigationRun> read_runs(const std::string& path) {
   return runs;
 }
 
-std::vector<Case> missing_cases(const NavigationExperiment& experiment, const std::vector<NavigationRun>& runs) {
+std::vector<Case> missing_cases(const NavigationExperiment& experiment,
+                                const std::vector<NavigationRun>& runs) {
   std::vector<Case> cases;
   for (int start = 0; start < experiment.starts; ++start) {
     for (int w = 0; w < experiment.worlds; ++w) {
@@ -125,12 +132,13 @@ std::vector<double> differences(const std::vector<NavigationRun>& runs, auto&& v
   return all;
 }
 
-void conclude(const NavigationExperiment& experiment, const Course& course, const std::vector<NavigationRun>& runs,
-              const ExperimentOutput& output) {
+void conclude(const NavigationExperiment& experiment, const Course& course,
+              const std::vector<NavigationRun>& runs, const ExperimentOutput& output) {
   const auto seconds_of = [](const NavigationRun& run) { return run.seconds; };
   const auto touches_of = [](const NavigationRun& run) { return static_cast<double>(run.all_touches()); };
   nlohmann::ordered_json result;
-  ResultTable table{{"", "runs", "goal reached", "mean time [s]", "mean touches (bumper + IR)", "of these bumper"}, {}};
+  ResultTable table{
+      {"", "runs", "goal reached", "mean time [s]", "mean touches (bumper + IR)", "of these bumper"}, {}};
   for (const std::string& arm : kArms) {
     std::vector<double> seconds, touches, bumper;
     int reached = 0;
@@ -139,17 +147,26 @@ void conclude(const NavigationExperiment& experiment, const Course& course, cons
       seconds.push_back(seconds_of(run)), touches.push_back(touches_of(run)), bumper.push_back(run.touches);
       reached += run.reached;
     }
-    result[arm] = {{"runs", seconds.size()}, {"reached", reached}, {"seconds", mean_of(seconds)},
-                   {"touches", mean_of(touches)}, {"bumper_touches", mean_of(bumper)}};
-    table.rows.push_back({arm, std::to_string(seconds.size()), std::to_string(reached), fmt::format("{:.1f}", mean_of(seconds)),
-                          fmt::format("{:.2f}", mean_of(touches)), fmt::format("{:.2f}", mean_of(bumper))});
+    result[arm] = {{"runs", seconds.size()},
+                   {"reached", reached},
+                   {"seconds", mean_of(seconds)},
+                   {"touches", mean_of(touches)},
+                   {"bumper_touches", mean_of(bumper)}};
+    table.rows.push_back({arm, std::to_string(seconds.size()), std::to_string(reached),
+                          fmt::format("{:.1f}", mean_of(seconds)), fmt::format("{:.2f}", mean_of(touches)),
+                          fmt::format("{:.2f}", mean_of(bumper))});
   }
   const std::vector<double> time = differences(runs, seconds_of), touch = differences(runs, touches_of);
-  result["paired"] = {{"pairs", time.size()}, {"p_seconds", sign_flip_p_value(time, 1)}, {"p_touches", sign_flip_p_value(touch, 2)}};
-  output.write(result, table.markdown() + fmt::format("\nPaired sign-flip test over {} pairs: time p = {:.2g}, touches p = {:.2g}.\n",
-                                                       time.size(), sign_flip_p_value(time, 1), sign_flip_p_value(touch, 2)));
+  result["paired"] = {{"pairs", time.size()},
+                      {"p_seconds", sign_flip_p_value(time, 1)},
+                      {"p_touches", sign_flip_p_value(touch, 2)}};
+  output.write(
+      result, table.markdown() +
+                  fmt::format("\nPaired sign-flip test over {} pairs: time p = {:.2g}, touches p = {:.2g}.\n",
+                              time.size(), sign_flip_p_value(time, 1), sign_flip_p_value(touch, 2)));
   std::vector<World> worlds;
-  for (int w = 0; w < experiment.worlds; ++w) worlds.push_back(build_world(course, experiment.first_seed + static_cast<unsigned>(w)));
+  for (int w = 0; w < experiment.worlds; ++w)
+    worlds.push_back(build_world(course, experiment.first_seed + static_cast<unsigned>(w)));
   cv::imwrite(output.path("_paths.png"), draw_paths(worlds, kArms, runs));
   cv::imwrite(output.path("_ellipses.png"), draw_ellipses(kArms, runs));
   fmt::print("{}", table.markdown());
@@ -165,7 +182,8 @@ int run_navigation_experiment(const NavigationExperiment& experiment) {
   const std::vector<Case> cases = missing_cases(experiment, runs);
   std::map<std::string, std::vector<std::uint8_t>> mixtures;
   for (const std::string& arm : kArms) {
-    mixtures[arm] = read_file<std::vector<std::uint8_t>>(experiment.folder + "/segmentation_" + arm + ".mixture");
+    mixtures[arm] =
+        read_file<std::vector<std::uint8_t>>(experiment.folder + "/segmentation_" + arm + ".mixture");
   }
   const std::size_t all = runs.size() + cases.size();
   std::ofstream file(log, std::ios::app);
@@ -178,7 +196,8 @@ int run_navigation_experiment(const NavigationExperiment& experiment) {
     runs.push_back(from_json(nlohmann::json::parse(text)));
     const NavigationRun& run = runs.back();
     fmt::print(stderr, "{} of {}: {} world {} start {}: {:.0f} s, {} + {} touches{}\n", runs.size(), all,
-               run.arm, run.world_seed, run.start, run.seconds, run.touches, run.ir_touches, run.reached ? "" : ", goal not reached");
+               run.arm, run.world_seed, run.start, run.seconds, run.touches, run.ir_touches,
+               run.reached ? "" : ", goal not reached");
   };
   const int failed = run_in_processes(static_cast<int>(cases.size()), experiment.processes, work, done);
   conclude(experiment, course, runs, output);

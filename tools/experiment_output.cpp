@@ -30,10 +30,14 @@ ExperimentOutput::ExperimentOutput(std::filesystem::path folder, std::string nam
     : folder_(std::move(folder)), name_(std::move(name)) {
   std::error_code error;
   std::filesystem::create_directories(folder_, error);
-  if (error) throw FatalError(kExitIo, fmt::format("{}: cannot make the folder: {}", folder_.string(), error.message()));
+  if (error)
+    throw FatalError(kExitIo,
+                     fmt::format("{}: cannot make the folder: {}", folder_.string(), error.message()));
 }
 
-std::string ExperimentOutput::path(const std::string& suffix) const { return (folder_ / (name_ + suffix)).string(); }
+std::string ExperimentOutput::path(const std::string& suffix) const {
+  return (folder_ / (name_ + suffix)).string();
+}
 
 void ExperimentOutput::write(const nlohmann::ordered_json& result, const std::string& markdown) const {
   write_text(".json", result.dump(2) + "\n");

@@ -58,7 +58,8 @@ void title(cv::Mat& picture, const std::string& text) {
 }
 
 /// Figure 5.11: the frame, the obstacles in it, and what each arm makes of it.
-cv::Mat draw_figure(const TrainingDrive& drive, const SegmentationTruth& truth, const std::vector<Arm>& arms) {
+cv::Mat draw_figure(const TrainingDrive& drive, const SegmentationTruth& truth,
+                    const std::vector<Arm>& arms) {
   const Frame& frame = *drive.input().frame;
   const cv::Mat view = view_of(frame.bgr, frame.width_px, frame.height_px);
   std::vector<cv::Mat> panels{view.clone(), view.clone()};
@@ -85,14 +86,17 @@ cv::Mat draw_figure(const TrainingDrive& drive, const SegmentationTruth& truth, 
 
 void train(TrainingDrive& drive, int number) {
   for (int tick = 0; !drive.trained(); ++tick) {
-    if (tick == kMostTrainingTicks) throw FatalError(kExitBadData, "the course has too few trees in reach to drive into");
+    if (tick == kMostTrainingTicks)
+      throw FatalError(kExitBadData, "the course has too few trees in reach to drive into");
     drive.step();
-    if (tick % 50 == 0) fmt::print(stderr, "\rdrive {}: {} touches, {} ticks   ", number, drive.touches(), tick);
+    if (tick % 50 == 0)
+      fmt::print(stderr, "\rdrive {}: {} touches, {} ticks   ", number, drive.touches(), tick);
   }
 }
 
 /// Obstacle where more than half of the other drives' frames have one at that pixel.
-std::vector<TerrainClass> prior_without(std::span<const std::vector<SegmentationTruth>> drives, std::size_t own) {
+std::vector<TerrainClass> prior_without(std::span<const std::vector<SegmentationTruth>> drives,
+                                        std::size_t own) {
   std::vector<int> seen;
   int frames = 0;
   for (std::size_t d = 0; d < drives.size(); ++d) {
@@ -104,7 +108,8 @@ std::vector<TerrainClass> prior_without(std::span<const std::vector<Segmentation
     }
   }
   std::vector<TerrainClass> prior(seen.size());
-  for (std::size_t i = 0; i < seen.size(); ++i) prior[i] = 2 * seen[i] > frames ? TerrainClass::lethal : TerrainClass::good;
+  for (std::size_t i = 0; i < seen.size(); ++i)
+    prior[i] = 2 * seen[i] > frames ? TerrainClass::lethal : TerrainClass::good;
   return prior;
 }
 
@@ -119,8 +124,8 @@ void save_mixtures(const TrainingDrive& drive, const std::vector<Arm>& arms, con
 ResultTable table_of(const Standing& standing) {
   ResultTable table{{"", "obstacle coverage", "ground wrongly called obstacle", "frames"}, {}};
   const auto add = [&](const std::string& name, const Total& total) {
-    table.rows.push_back({name, fmt::format("{:.1f} %", 100 * total.coverage()), fmt::format("{:.1f} %", 100 * total.wrong()),
-                          std::to_string(total.frames)});
+    table.rows.push_back({name, fmt::format("{:.1f} %", 100 * total.coverage()),
+                          fmt::format("{:.1f} %", 100 * total.wrong()), std::to_string(total.frames)});
   };
   for (std::size_t a = 0; a < standing.arms.size(); ++a) add(standing.arms[a].name, standing.totals[a]);
   add("position prior", standing.totals.back());
@@ -132,7 +137,10 @@ nlohmann::ordered_json json_of(const Standing& standing) {
   for (std::size_t a = 0; a < standing.totals.size(); ++a) {
     const Total& t = standing.totals[a];
     const std::string name = a < standing.arms.size() ? standing.arms[a].name : "position_prior";
-    result[name] = {{"coverage", t.coverage()}, {"wrong_area", t.wrong()}, {"frames", t.frames}, {"obstacles", t.obstacles}};
+    result[name] = {{"coverage", t.coverage()},
+                    {"wrong_area", t.wrong()},
+                    {"frames", t.frames},
+                    {"obstacles", t.obstacles}};
   }
   return result;
 }
@@ -154,11 +162,13 @@ int run_segmentation_experiment(const SegmentationExperiment& experiment) {
     std::size_t most_obstacles = 0;
     for (int f = 0; f < frames_each; ++f) {
       for (int i = 0; i < experiment.every; ++i) drive.step();
-      const SegmentationTruth truth = judge->truth_of(drive.feed().rendered(), drive.feed().X_WB(), drive.feed().world());
+      const SegmentationTruth truth =
+          judge->truth_of(drive.feed().rendered(), drive.feed().X_WB(), drive.feed().world());
       for (std::size_t a = 0; a < standing.arms.size(); ++a) {
         standing.totals[a].add(judge->judge(truth, drive.robot(a).sight().labels()));
       }
-      const auto obstacles = static_cast<std::size_t>(judge->judge(truth, drive.robot(0).sight().labels()).obstacles);
+      const auto obstacles =
+          static_cast<std::size_t>(judge->judge(truth, drive.robot(0).sight().labels()).obstacles);
       if (d == 0 && obstacles > most_obstacles) {
         most_obstacles = obstacles;
         cv::imwrite(output.path(".png"), draw_figure(drive, truth, standing.arms));

@@ -13,9 +13,9 @@ struct SegmentationExperiment {
   std::string folder;
   int drives = 3;
   int bumps = 4;
-  int frames = 304;    ///< labelled ones, over all drives
-  int every = 10;      ///< of the frames after the last bump, one is labelled
-  unsigned seed = 1;   ///< of the first drive's world
+  int frames = 304;   ///< labelled ones, over all drives
+  int every = 10;     ///< of the frames after the last bump, one is labelled
+  unsigned seed = 1;  ///< of the first drive's world
 };
 
 /// Drives, judges, and writes segmentation.json, .md, .png and each arm's mixture after the last drive

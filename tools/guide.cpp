@@ -31,7 +31,8 @@ double distance(WorldPoint a, WorldPoint b) { return std::hypot(a.x_m - b.x_m, a
 WorldPoint place(const BodyPose& X_WB) { return {X_WB.x_m, X_WB.y_m}; }
 
 double bearing_rad(const BodyPose& X_WB, WorldPoint p) {
-  return std::remainder(std::atan2(p.y_m - X_WB.y_m, p.x_m - X_WB.x_m) - X_WB.heading_rad, 2 * std::numbers::pi);
+  return std::remainder(std::atan2(p.y_m - X_WB.y_m, p.x_m - X_WB.x_m) - X_WB.heading_rad,
+                        2 * std::numbers::pi);
 }
 
 /// Where an arc from X_WB leads after `way_m`.
@@ -47,7 +48,10 @@ BodyPose along(const BodyPose& X_WB, double curvature_per_m, double way_m) {
 }  // namespace
 
 Guide::Guide(const World& world, double track_width_m, int bumps)
-    : obstacles_(obstacles_of(world)), stops_{world.goal, world.start}, half_track_m_(track_width_m / 2), bumps_left_(bumps) {
+    : obstacles_(obstacles_of(world)),
+      stops_{world.goal, world.start},
+      half_track_m_(track_width_m / 2),
+      bumps_left_(bumps) {
   for (const Tree& tree : world.trees) trees_.push_back(tree.at);
 }
 
@@ -67,13 +71,15 @@ WheelCommand Guide::drive(const SimVehicle& vehicle, Time now) {
 }
 
 WheelCommand Guide::steer(double speed_mps, double curvature_per_m) const {
-  return {speed_mps * (1.0 - curvature_per_m * half_track_m_), speed_mps * (1.0 + curvature_per_m * half_track_m_)};
+  return {speed_mps * (1.0 - curvature_per_m * half_track_m_),
+          speed_mps * (1.0 + curvature_per_m * half_track_m_)};
 }
 
 WheelCommand Guide::drive_at(const BodyPose& X_WB, WorldPoint target) const {
   const double bearing = bearing_rad(X_WB, target);
-  return steer(0.7 * kSpeed_mps, std::clamp(2.0 * std::sin(bearing) / std::max(1.0, distance(place(X_WB), target)),
-                                            -kMostCurvature_per_m, kMostCurvature_per_m));
+  return steer(0.7 * kSpeed_mps,
+               std::clamp(2.0 * std::sin(bearing) / std::max(1.0, distance(place(X_WB), target)),
+                          -kMostCurvature_per_m, kMostCurvature_per_m));
 }
 
 /// The nearest one ahead that nothing hides and that was not met yet.
@@ -82,8 +88,10 @@ std::optional<WorldPoint> Guide::choose_tree(const BodyPose& X_WB) const {
   double best_m = kFarthest_m;
   for (const WorldPoint& tree : trees_) {
     const double away_m = distance(place(X_WB), tree);
-    const bool met = std::any_of(met_.begin(), met_.end(), [&](WorldPoint m) { return distance(m, tree) < 0.1; });
-    if (met || away_m < kNearest_m || away_m > best_m || std::abs(bearing_rad(X_WB, tree)) > kMostBearing_rad) continue;
+    const bool met =
+        std::any_of(met_.begin(), met_.end(), [&](WorldPoint m) { return distance(m, tree) < 0.1; });
+    if (met || away_m < kNearest_m || away_m > best_m || std::abs(bearing_rad(X_WB, tree)) > kMostBearing_rad)
+      continue;
     if (!in_sight(X_WB, tree)) continue;
     best = tree;
     best_m = away_m;
@@ -125,9 +133,12 @@ WheelCommand Guide::tour(const BodyPose& X_WB) {
     const double score_m = distance(place(end), stop) + 2.0 * std::abs(bearing_rad(end, stop));
     if (score_m < best_m) best_m = score_m, best_curvature = curvature;
   }
-  turning_ = best_m == std::numeric_limits<double>::infinity() ||
-             (std::abs(bearing_rad(X_WB, stop)) > 1.2 && (turning_ || std::abs(bearing_rad(X_WB, stop)) > 2.0));
-  if (turning_) return bearing_rad(X_WB, stop) > 0.0 ? WheelCommand{-kTurn_mps, kTurn_mps} : WheelCommand{kTurn_mps, -kTurn_mps};
+  turning_ =
+      best_m == std::numeric_limits<double>::infinity() ||
+      (std::abs(bearing_rad(X_WB, stop)) > 1.2 && (turning_ || std::abs(bearing_rad(X_WB, stop)) > 2.0));
+  if (turning_)
+    return bearing_rad(X_WB, stop) > 0.0 ? WheelCommand{-kTurn_mps, kTurn_mps}
+                                         : WheelCommand{kTurn_mps, -kTurn_mps};
   return steer(kSpeed_mps, best_curvature);
 }
 

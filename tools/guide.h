@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Hindsight authors
 // SPDX-License-Identifier: BSD-2-Clause
 //
-// An operator with a map: drives a simulated vehicle into some trees on purpose, then through the world without touching
-// anything. Stands in for the person who guided the robot in the thesis' training drives (5.2.2).
+// An operator with a map: drives a simulated vehicle into some trees on purpose, then through the world
+// without touching anything. Stands in for the person who guided the robot in the thesis' training drives
+// (5.2.2).
 #pragma once
 
 #include <optional>

@@ -20,7 +20,9 @@ constexpr double kMargin_m = 4.0;
 const cv::Size kPlot(820, 520);
 const cv::Rect kAxes(80, 40, 700, 400);
 
-cv::Scalar color_of_arm(std::size_t arm) { return arm == 0 ? kLethal.bgr() : arm == 1 ? kLeft.bgr() : kRight.bgr(); }
+cv::Scalar color_of_arm(std::size_t arm) {
+  return arm == 0 ? kLethal.bgr() : arm == 1 ? kLeft.bgr() : kRight.bgr();
+}
 
 void text(cv::Mat& picture, const std::string& words, cv::Point at, double size = 0.5) {
   cv::putText(picture, words, at, cv::FONT_HERSHEY_SIMPLEX, size, kInk.bgr(), 1, cv::LINE_AA);
@@ -32,7 +34,8 @@ struct Panel {
   cv::Mat picture;
 
   cv::Point at(WorldPoint p) const {
-    return {static_cast<int>(std::lround((p.x_m - west_m) * kPxPerM)), static_cast<int>(std::lround((north_m - p.y_m) * kPxPerM))};
+    return {static_cast<int>(std::lround((p.x_m - west_m) * kPxPerM)),
+            static_cast<int>(std::lround((north_m - p.y_m) * kPxPerM))};
   }
 };
 
@@ -42,20 +45,25 @@ Panel empty_panel(const World& world) {
   double north = 10.0;
   for (const Tree& tree : world.trees) north = std::max(north, std::abs(tree.at.y_m));
   north = std::min(north, 18.0);
-  return {west, north, cv::Mat(static_cast<int>(2 * north * kPxPerM), static_cast<int>((east - west) * kPxPerM), CV_8UC3, kPaper.bgr())};
+  return {west, north,
+          cv::Mat(static_cast<int>(2 * north * kPxPerM), static_cast<int>((east - west) * kPxPerM), CV_8UC3,
+                  kPaper.bgr())};
 }
 
-cv::Mat draw_world(const World& world, const std::string& arm, std::size_t arm_number, const std::vector<NavigationRun>& runs) {
+cv::Mat draw_world(const World& world, const std::string& arm, std::size_t arm_number,
+                   const std::vector<NavigationRun>& runs) {
   Panel panel = empty_panel(world);
   for (const Tree& tree : world.trees)
-    cv::circle(panel.picture, panel.at(tree.at), std::max(2, static_cast<int>(tree.radius_m * kPxPerM)), cv::Scalar(60, 110, 60),
-               cv::FILLED, cv::LINE_AA);
+    cv::circle(panel.picture, panel.at(tree.at), std::max(2, static_cast<int>(tree.radius_m * kPxPerM)),
+               cv::Scalar(60, 110, 60), cv::FILLED, cv::LINE_AA);
   for (const NavigationRun& run : runs) {
     if (run.arm != arm || run.world_seed != world.seed) continue;
     for (std::size_t i = 1; i < run.path.size(); ++i)
-      cv::line(panel.picture, panel.at(run.path[i - 1]), panel.at(run.path[i]), color_of_arm(arm_number), 1, cv::LINE_AA);
+      cv::line(panel.picture, panel.at(run.path[i - 1]), panel.at(run.path[i]), color_of_arm(arm_number), 1,
+               cv::LINE_AA);
   }
-  cv::drawMarker(panel.picture, panel.at(world.goal), kInk.bgr(), cv::MARKER_TILTED_CROSS, 14, 3, cv::LINE_AA);
+  cv::drawMarker(panel.picture, panel.at(world.goal), kInk.bgr(), cv::MARKER_TILTED_CROSS, 14, 3,
+                 cv::LINE_AA);
   text(panel.picture, fmt::format("{}, world {}", arm, world.seed), {8, 18});
   cv::rectangle(panel.picture, {{0, 0}, panel.picture.size()}, kInk.bgr());
   return panel.picture;
@@ -64,7 +72,8 @@ cv::Mat draw_world(const World& world, const std::string& arm, std::size_t arm_n
 struct Scale {
   double most_seconds, most_touches;
   cv::Point2d at(double seconds, double touches) const {
-    return {kAxes.x + seconds / most_seconds * kAxes.width, kAxes.y + kAxes.height - touches / most_touches * kAxes.height};
+    return {kAxes.x + seconds / most_seconds * kAxes.width,
+            kAxes.y + kAxes.height - touches / most_touches * kAxes.height};
   }
 };
 
@@ -103,7 +112,8 @@ cv::Mat draw_paths(const std::vector<World>& worlds, const std::vector<std::stri
   }
   int width = 0;
   for (const cv::Mat& row : rows) width = std::max(width, row.cols);
-  for (cv::Mat& row : rows) cv::copyMakeBorder(row, row, 0, 0, 0, width - row.cols, cv::BORDER_CONSTANT, kPaper.bgr());
+  for (cv::Mat& row : rows)
+    cv::copyMakeBorder(row, row, 0, 0, 0, width - row.cols, cv::BORDER_CONSTANT, kPaper.bgr());
   cv::Mat all;
   cv::vconcat(rows, all);
   return all;
@@ -124,7 +134,8 @@ cv::Mat draw_ellipses(const std::vector<std::string>& arms, const std::vector<Na
       if (run.arm != arms[a]) continue;
       seconds.push_back(run.seconds);
       touches.push_back(run.all_touches());
-      cv::circle(plot, scale.at(run.seconds, run.all_touches()), 4, color_of_arm(a), run.reached ? cv::FILLED : 1, cv::LINE_AA);
+      cv::circle(plot, scale.at(run.seconds, run.all_touches()), 4, color_of_arm(a),
+                 run.reached ? cv::FILLED : 1, cv::LINE_AA);
     }
     draw_ellipse(plot, scale, ellipse_95(seconds, touches), color_of_arm(a));
     const cv::Point key(kAxes.x + 12, kAxes.y + 20 + 20 * static_cast<int>(a));

@@ -86,8 +86,10 @@ int run_in_processes(int count, int at_once, const std::function<std::string(int
     if (ended == workers.end()) continue;
     const Worker worker = std::move(*ended);
     workers.erase(ended);
-    if (ended_well(worker.pid)) done(worker.piece, worker.text);
-    else ++failed;
+    if (ended_well(worker.pid))
+      done(worker.piece, worker.text);
+    else
+      ++failed;
   }
   return failed;
 }

@@ -40,8 +40,9 @@ int report(const ReportArguments& arguments) {
   Gallery gallery(folder);
   RunTrace trace;
   std::optional<ReportVideo> video;
-  if (arguments.video) video.emplace((folder.path() / "drive").string(), run.configuration().robot.loop_rate_hz,
-                                     cv::Size(run.camera().width_px, run.camera().height_px));
+  if (arguments.video)
+    video.emplace((folder.path() / "drive").string(), run.configuration().robot.loop_rate_hz,
+                  cv::Size(run.camera().width_px, run.camera().height_px));
   while (run.step()) {
     trace.add(run);
     if (video) video->look(run, trace);

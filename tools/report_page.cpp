@@ -97,7 +97,8 @@ std::string summary(const std::string& log, ReplayRun& run, const RunTrace& trac
   const std::time_t began = run.materials().utime_us / 1'000'000;
   std::string html = "<table>\n";
   html += row("log", log);
-  html += row("began", began > 86400 ? fmt::format("{:%Y-%m-%d %H:%M:%S} UTC", fmt::gmtime(began)) : "not known");
+  html +=
+      row("began", began > 86400 ? fmt::format("{:%Y-%m-%d %H:%M:%S} UTC", fmt::gmtime(began)) : "not known");
   html += row("kind", run.source().recorded_ticks() ? "recorded run"
                                                     : "imported recording, ticks made in the replay");
   html += row("duration", fmt::format("{:.1f} s, {} ticks, {} frames", trace.duration_s(), trace.ticks.size(),
@@ -181,8 +182,11 @@ void write_page(const ReportFolder& folder, const std::string& log, ReplayRun& r
                     ". Stop reason: green where motion was permitted. Point at a stretch to read it.");
   page += state_chart(trace) + speed_chart(trace, Wheel::left) + speed_chart(trace, Wheel::right);
   if (!video.empty()) {
-    section.begin("Film", "The run as it went by: the view, drawn over, and the map around the robot, north up.");
-    page += fmt::format("<p><a href='{0}'>{0}</a></p>\n<video src='{0}' controls muted width='1120'></video>\n", escape_html(video));
+    section.begin("Film",
+                  "The run as it went by: the view, drawn over, and the map around the robot, north up.");
+    page +=
+        fmt::format("<p><a href='{0}'>{0}</a></p>\n<video src='{0}' controls muted width='1120'></video>\n",
+                    escape_html(video));
   }
   section.begin("Map", "The evidence grid at the end of the run, north up." + key({129, 199, 150}, "free") +
                            key(kBad, "high cost") + key(kLethal, "lethal") + key(kUnknown, "unknown") +

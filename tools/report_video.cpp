@@ -32,7 +32,8 @@ bool ReportVideo::open(const std::string& path, int fourcc, double rate_hz) {
 void ReportVideo::look(ReplayRun& run, const RunTrace& trace) {
   const FrameRef& frame = run.input().frame;
   if (!frame || cv::Size(frame->width_px, frame->height_px) != frame_) return;
-  draw_frame(*frame, run.robot().sight(), touched_patches(run.robot().learner().lessons())).copyTo(canvas_(cv::Rect({0, 0}, frame_)));
+  draw_frame(*frame, run.robot().sight(), touched_patches(run.robot().learner().lessons()))
+      .copyTo(canvas_(cv::Rect({0, 0}, frame_)));
   draw_surroundings(run, trace).copyTo(canvas_(cv::Rect(frame_.width, 0, frame_.height, frame_.height)));
   writer_.write(canvas_);
 }
@@ -41,8 +42,8 @@ void ReportVideo::look(ReplayRun& run, const RunTrace& trace) {
 cv::Mat ReportVideo::draw_surroundings(ReplayRun& run, const RunTrace& trace) const {
   const MapScene scene = scene_of(run, trace);
   const double half_m = kMapSide_m / 2;
-  const MapView view({scene.X_WB.x_m - half_m, scene.X_WB.y_m - half_m}, {scene.X_WB.x_m + half_m, scene.X_WB.y_m + half_m},
-                     frame_.height / kMapSide_m);
+  const MapView view({scene.X_WB.x_m - half_m, scene.X_WB.y_m - half_m},
+                     {scene.X_WB.x_m + half_m, scene.X_WB.y_m + half_m}, frame_.height / kMapSide_m);
   cv::Mat map = draw_map(scene, view);
   cv::resize(map, map, {frame_.height, frame_.height});
   return map;

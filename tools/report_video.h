@@ -15,8 +15,8 @@ namespace hindsight::tools {
 
 class ReportVideo {
  public:
-  /// H.264 in MP4, one picture a frame at the loop's rate; where this machine's FFmpeg has no encoder for it, Motion
-  /// JPEG in AVI. `stem`: path without ending. FatalError 74 where neither can be written.
+  /// H.264 in MP4, one picture a frame at the loop's rate; where this machine's FFmpeg has no encoder for it,
+  /// Motion JPEG in AVI. `stem`: path without ending. FatalError 74 where neither can be written.
   ReportVideo(const std::string& stem, double rate_hz, cv::Size frame);
 
   /// The tick that `run` has just stepped through; nothing where it had no frame.

@@ -13,10 +13,13 @@ bool is_hazard(TerrainClass label) { return label == TerrainClass::bad || label 
 
 bool is_ground_label(TruthLabel label) { return label == TruthLabel::ground || label == TruthLabel::road; }
 
-/// Of the ground that a pixel shows: the parallelogram to the pixels beside and above it; 0 where there is none.
+/// Of the ground that a pixel shows: the parallelogram to the pixels beside and above it; 0 where there is
+/// none.
 float area_m2(const GroundPlane& ground, int column, int row) {
-  const int other_column = column + 1 < ground.width_px() ? column + 1 : column - 1, other_row = row > 0 ? row - 1 : 1;
-  const GroundPoint here = ground.at(column, row), beside = ground.at(other_column, row), above = ground.at(column, other_row);
+  const int other_column = column + 1 < ground.width_px() ? column + 1 : column - 1,
+            other_row = row > 0 ? row - 1 : 1;
+  const GroundPoint here = ground.at(column, row), beside = ground.at(other_column, row),
+                    above = ground.at(column, other_row);
   const float area = std::abs((beside.x_m - here.x_m) * (above.y_m - here.y_m) -
                               (beside.y_m - here.y_m) * (above.x_m - here.x_m));
   return std::isfinite(area) ? area : 0.0F;
@@ -34,7 +37,8 @@ SegmentationJudge::SegmentationJudge(const CameraModel& camera, double max_range
   }
 }
 
-SegmentationTruth SegmentationJudge::truth_of(const RenderedFrame& frame, const BodyPose& pose, const World& world) const {
+SegmentationTruth SegmentationJudge::truth_of(const RenderedFrame& frame, const BodyPose& pose,
+                                              const World& world) const {
   const Eigen::Isometry3d X_WB = pose_in_world(pose);
   SegmentationTruth truth{std::vector<std::uint16_t>(area_m2_.size()), std::vector<bool>(area_m2_.size())};
   for (std::size_t i = 0; i < area_m2_.size(); ++i) {
@@ -47,7 +51,7 @@ SegmentationTruth SegmentationJudge::truth_of(const RenderedFrame& frame, const 
 }
 
 SegmentationScore SegmentationJudge::judge(const SegmentationTruth& truth,
-                                            std::span<const TerrainClass> labels) const {
+                                           std::span<const TerrainClass> labels) const {
   struct Count {
     int all_px = 0, found_px = 0;
   };

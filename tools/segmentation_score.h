@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Hindsight authors
 // SPDX-License-Identifier: BSD-2-Clause
 //
-// How well a picture was segmented, as the thesis measures it (5.2.2): obstacles count alike however small they look, and
-// ground counts by its area.
+// How well a picture was segmented, as the thesis measures it (5.2.2): obstacles count alike however small
+// they look, and ground counts by its area.
 #pragma once
 
 #include <span>
@@ -30,8 +30,8 @@ struct SegmentationTruth {
 
 class SegmentationJudge {
  public:
-  /// An obstacle's pixels count up to kTop_m above the ground that it stands on: what a vehicle can run into. Obstacles with
-  /// fewer than kFewest_px such pixels are out of view.
+  /// An obstacle's pixels count up to kTop_m above the ground that it stands on: what a vehicle can run into.
+  /// Obstacles with fewer than kFewest_px such pixels are out of view.
   static constexpr double kTop_m = 1.5;
   static constexpr int kFewest_px = 30;
 

@@ -33,16 +33,18 @@ struct SimArguments {
 void show_progress(const SimSummary& now, Time began, bool last) {
   if (isatty(STDERR_FILENO) == 0 && !last) return;
   const double took_s = to_seconds(monotonic_now() - began);
-  fmt::print(stderr, "\rsim {:5.1f} m to the goal  {} bumper, {} IR touches  {:.0f} s  {:.1f} x real time {}", now.to_goal_m,
-             now.touches, now.ir_touches, now.seconds, took_s > 0.0 ? now.seconds / took_s : 0.0, last ? "\n" : "");
+  fmt::print(stderr, "\rsim {:5.1f} m to the goal  {} bumper, {} IR touches  {:.0f} s  {:.1f} x real time {}",
+             now.to_goal_m, now.touches, now.ir_touches, now.seconds,
+             took_s > 0.0 ? now.seconds / took_s : 0.0, last ? "\n" : "");
 }
 
 void tell(const SimSummary& s) {
   fmt::print(
-      "{} after {:.1f} s and {:.1f} m, {:.1f} m from the goal: {} bumper touches, {} IR touches, {} lessons, {:.2f} m of "
+      "{} after {:.1f} s and {:.1f} m, {:.1f} m from the goal: {} bumper touches, {} IR touches, {} lessons, "
+      "{:.2f} m of "
       "drift\n",
-      s.reached ? "Goal reached" : "Goal not reached", s.seconds, s.distance_m, s.to_goal_m, s.touches, s.ir_touches,
-      s.lessons, s.drift_m);
+      s.reached ? "Goal reached" : "Goal not reached", s.seconds, s.distance_m, s.to_goal_m, s.touches,
+      s.ir_touches, s.lessons, s.drift_m);
 }
 
 /// Waits until the world's time has come; as fast as it goes where pace is 0.
@@ -54,7 +56,8 @@ void keep_pace(const SimSummary& now, Time began, double pace) {
 
 void close(RunLogWriter& writer, const std::string& path) {
   if (writer.close()) return;
-  throw FatalError(kExitIo, fmt::format("{}: cannot write the log: {}", path, std::strerror(writer.error_code())));
+  throw FatalError(kExitIo,
+                   fmt::format("{}: cannot write the log: {}", path, std::strerror(writer.error_code())));
 }
 
 int sim(const SimArguments& arguments) {
@@ -85,14 +88,17 @@ int sim(const SimArguments& arguments) {
 
 void add_sim(CLI::App& app, Run& run) {
   auto arguments = std::make_shared<SimArguments>();
-  CLI::App* command = app.add_subcommand("sim", "Let a robot drive a simulated course, in lock step with the core");
+  CLI::App* command =
+      app.add_subcommand("sim", "Let a robot drive a simulated course, in lock step with the core");
   command->add_option("course", arguments->course, "Course file")->required()->type_name("COURSE.toml");
-  command->add_option("--seed", arguments->seed, "Another number, another world and other noise")->capture_default_str();
+  command->add_option("--seed", arguments->seed, "Another number, another world and other noise")
+      ->capture_default_str();
   command->add_option("--seconds", arguments->seconds, "Longest run, in the world's time [s]")
       ->capture_default_str()
       ->check(CLI::PositiveNumber);
   command->add_option("--record", arguments->record, "Run log to write")->type_name("RUN.lcm");
-  command->add_option("--pace", arguments->pace, "Times real time; as fast as it goes by default")->check(CLI::PositiveNumber);
+  command->add_option("--pace", arguments->pace, "Times real time; as fast as it goes by default")
+      ->check(CLI::PositiveNumber);
   command->add_option("--config", arguments->configuration_files, "The robot's configuration");
   command->callback([arguments, &run] { run = [arguments] { return sim(*arguments); }; });
 }

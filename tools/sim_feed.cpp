@@ -69,7 +69,8 @@ void SimFeed::move(TickInput& input) {
 
 void SimFeed::take_picture(TickInput& input) {
   X_WB_before_ = std::exchange(X_WB_, vehicle_.pose());
-  rendered_ = &renderer_.render(X_WB_, X_WB_before_, to_seconds(period_), to_seconds(input.now - kStart), truth_);
+  rendered_ =
+      &renderer_.render(X_WB_, X_WB_before_, to_seconds(period_), to_seconds(input.now - kStart), truth_);
   FrameRef ref = pool_.take();
   Frame& frame = ref.writable();
   frame.stamp = input.now;
@@ -79,7 +80,8 @@ void SimFeed::take_picture(TickInput& input) {
   frame.height_px = camera_.height_px;
   frame.exposure_s = rendered_->exposure_s;
   frame.gain = rendered_->gain;
-  const cv::Mat picture(frame.height_px, frame.width_px, CV_8UC3, const_cast<std::uint8_t*>(rendered_->bgr.data()));
+  const cv::Mat picture(frame.height_px, frame.width_px, CV_8UC3,
+                        const_cast<std::uint8_t*>(rendered_->bgr.data()));
   cv::imencode(".jpg", picture, frame.bytes, {cv::IMWRITE_JPEG_QUALITY, kJpegQuality});
   decode_frame(frame);
   input.frame = std::move(ref);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Hindsight authors
 // SPDX-License-Identifier: BSD-2-Clause
 //
-// What a vehicle in a simulated world gives to a core, tick by tick: samples at 100 Hz, then a picture. No clock and no
-// thread of its own.
+// What a vehicle in a simulated world gives to a core, tick by tick: samples at 100 Hz, then a picture. No
+// clock and no thread of its own.
 #pragma once
 
 #include <cstdint>
@@ -23,13 +23,13 @@ class SimFeed {
   /// 2026-01-01 00:00 UTC; a run that repeats bit for bit has no date of its own.
   static constexpr std::int64_t kStartUtime_us = 1'767'225'600'000'000;
 
-  /// `seed`: of the noise of camera, sensors and ground. `truth`: keep each frame's true labels, objects and depths.
-  /// FatalError where the renderer cannot work here.
+  /// `seed`: of the noise of camera, sensors and ground. `truth`: keep each frame's true labels, objects and
+  /// depths. FatalError where the renderer cannot work here.
   SimFeed(const RobotSetup& setup, const World& world, std::uint64_t seed, bool truth);
 
-  /// The world moves on for one tick's period and `input` becomes what was seen of it. drive(moment) is called once a
-  /// period of the vehicle, with what the vehicle said in it, and returns what its wheels are told next, or nothing where
-  /// no command goes out.
+  /// The world moves on for one tick's period and `input` becomes what was seen of it. drive(moment) is
+  /// called once a period of the vehicle, with what the vehicle said in it, and returns what its wheels are
+  /// told next, or nothing where no command goes out.
   template <typename Drive>
   void advance(TickInput& input, Drive&& drive) {
     begin_tick(input);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Hindsight authors
 // SPDX-License-Identifier: BSD-2-Clause
 //
-// A robot that drives itself in a simulated world, in lock step: vehicle and reflex at 100 Hz, camera and core at the
-// loop's rate. The same world, seed and configuration give the same run, bit for bit.
+// A robot that drives itself in a simulated world, in lock step: vehicle and reflex at 100 Hz, camera and
+// core at the loop's rate. The same world, seed and configuration give the same run, bit for bit.
 #pragma once
 
 #include <cstdint>
@@ -47,10 +47,11 @@ class SimRun {
  public:
   explicit SimRun(const SimSetup& setup);
 
-  /// One tick: the world moves on for a period, then the core steps. What the tick decides drives the wheels from the
-  /// vehicle's next period on. `fault`: of this tick; `watch` sees each period of the vehicle with the command that it
-  /// leads to.
-  using Watch = std::function<void(Time now, const SimVehicle& vehicle, const std::optional<WheelCommand>& command)>;
+  /// One tick: the world moves on for a period, then the core steps. What the tick decides drives the wheels
+  /// from the vehicle's next period on. `fault`: of this tick; `watch` sees each period of the vehicle with
+  /// the command that it leads to.
+  using Watch =
+      std::function<void(Time now, const SimVehicle& vehicle, const std::optional<WheelCommand>& command)>;
   void step(SimFault fault = SimFault::none, const Watch& watch = {});
   /// Writes the tick just run to a log that begins with materials().
   void record(RunLogWriter& log) const;

@@ -25,13 +25,16 @@ double covariance(std::span<const double> a, std::span<const double> b) {
 }  // namespace
 
 double mean_of(std::span<const double> values) {
-  return values.empty() ? 0.0 : std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+  return values.empty()
+             ? 0.0
+             : std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
 double quantile_of(std::vector<double> values, double part) {
   if (values.empty()) return 0.0;
   const auto rank = static_cast<std::ptrdiff_t>(std::ceil(part * static_cast<double>(values.size()))) - 1;
-  const auto at = values.begin() + std::clamp<std::ptrdiff_t>(rank, 0, static_cast<std::ptrdiff_t>(values.size()) - 1);
+  const auto at =
+      values.begin() + std::clamp<std::ptrdiff_t>(rank, 0, static_cast<std::ptrdiff_t>(values.size()) - 1);
   std::nth_element(values.begin(), at, values.end());
   return *at;
 }

@@ -12,7 +12,8 @@ namespace {
 
 std::vector<RobotSetup> setups_for(const std::vector<Arm>& arms) {
   std::vector<RobotSetup> setups;
-  for (const Arm& arm : arms) setups.push_back(make_setup(arm.configuration, sim_materials(arm.configuration, {}), arm.name));
+  for (const Arm& arm : arms)
+    setups.push_back(make_setup(arm.configuration, sim_materials(arm.configuration, {}), arm.name));
   return setups;
 }
 
@@ -38,7 +39,8 @@ TrainingDrive::TrainingDrive(const World& world, std::uint64_t seed, int bumps, 
 }
 
 void TrainingDrive::step() {
-  feed_.advance(input_, [this](const TickInput& moment) { return guide_.drive(feed_.vehicle(), moment.now); });
+  feed_.advance(input_,
+                [this](const TickInput& moment) { return guide_.drive(feed_.vehicle(), moment.now); });
   for (const auto& robot : robots_) {
     outbox_.clear();
     robot->step(input_, outbox_);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Hindsight authors
 // SPDX-License-Identifier: BSD-2-Clause
 //
-// The thesis' training drive (5.2.2): a guided vehicle meets some trees, then drives on; several cores see the same
-// samples at once and learn from them, each with a configuration of its own.
+// The thesis' training drive (5.2.2): a guided vehicle meets some trees, then drives on; several cores see
+// the same samples at once and learn from them, each with a configuration of its own.
 #pragma once
 
 #include <memory>
@@ -20,8 +20,9 @@ struct Arm {
   Configuration configuration;
 };
 
-/// The thesis' comparison, and ours: "no_reverse_flow" and "thesis" have the thesis' numbers but learn from patches as
-/// they look now, or as they looked from afar; "default_no_reverse_flow" and "default" likewise with the defaults.
+/// The thesis' comparison, and ours: "no_reverse_flow" and "thesis" have the thesis' numbers but learn from
+/// patches as they look now, or as they looked from afar; "default_no_reverse_flow" and "default" likewise
+/// with the defaults.
 std::vector<Arm> segmentation_arms();
 
 class TrainingDrive {

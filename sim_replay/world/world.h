@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-2-Clause
 //
 // A world to drive in, as plain data: what stands where, what the ground is, how the light falls. Vehicle and
-// renderer share this header and nothing else. Lengths in metres in W (x east, y north, z up); the same course
-// and seed give the same world, bit for bit.
+// renderer share this header and nothing else. Lengths in metres in W (x east, y north, z up); the same
+// course and seed give the same world, bit for bit.
 #pragma once
 
 #include <cstdint>
@@ -18,20 +18,36 @@ struct WorldPoint {
 };
 
 /// What lies on the ground: sets both its look and its grip.
-enum class Ground : std::uint8_t { grass = 0, leaf_litter = 1, soil = 2, mulch = 3, road = 4, mud = 5, gravel = 6 };
+enum class Ground : std::uint8_t {
+  grass = 0,
+  leaf_litter = 1,
+  soil = 2,
+  mulch = 3,
+  road = 4,
+  mud = 5,
+  gravel = 6
+};
 constexpr int kGroundCount = 7;
 
 /// How an object is to be judged; also the label of its pixels. Sky and ground have labels of their own.
-enum class TruthLabel : std::uint8_t { sky = 0, ground = 1, tree = 2, bush = 3, fence = 4, road = 5, rock = 6 };
+enum class TruthLabel : std::uint8_t {
+  sky = 0,
+  ground = 1,
+  tree = 2,
+  bush = 3,
+  fence = 4,
+  road = 5,
+  rock = 6
+};
 
 /// An upright trunk that carries a crown; rigid.
 struct Tree {
   WorldPoint at;
-  double radius_m = 0.15;        ///< of the trunk at the height of the bumper
-  double height_m = 6.0;         ///< top of the crown
-  double crown_base_m = 2.5;     ///< height where leaves begin
-  double crown_radius_m = 1.5;   ///< largest
-  std::uint32_t look = 0;        ///< seeds what makes it differ from its neighbours
+  double radius_m = 0.15;       ///< of the trunk at the height of the bumper
+  double height_m = 6.0;        ///< top of the crown
+  double crown_base_m = 2.5;    ///< height where leaves begin
+  double crown_radius_m = 1.5;  ///< largest
+  std::uint32_t look = 0;       ///< seeds what makes it differ from its neighbours
 };
 
 /// A round bush on the ground.
@@ -87,11 +103,11 @@ struct Terrain {
 };
 
 struct Light {
-  double sun_azimuth_rad = 0.8;    ///< from east, counter-clockwise: where it stands
+  double sun_azimuth_rad = 0.8;  ///< from east, counter-clockwise: where it stands
   double sun_elevation_rad = 0.7;
-  double sun_strength = 1.0;       ///< 0: overcast; 1: clear
-  double haze_range_m = 250.0;     ///< where 1/e of contrast is left
-  double change_per_s = 0.0;       ///< clouds: depth of slow variation of the sun's strength
+  double sun_strength = 1.0;    ///< 0: overcast; 1: clear
+  double haze_range_m = 250.0;  ///< where 1/e of contrast is left
+  double change_per_s = 0.0;    ///< clouds: depth of slow variation of the sun's strength
 };
 
 struct World {
@@ -108,15 +124,15 @@ struct World {
   std::vector<Bush> bushes;
   std::vector<Rock> rocks;
   std::vector<Fence> fences;
-  std::vector<Trail> trails;      ///< later ones lie on earlier ones
+  std::vector<Trail> trails;        ///< later ones lie on earlier ones
   std::vector<GroundSpot> patches;  ///< lie on all trails
 
   /// What lies at a point, edges of trails decided at half their fading.
   Ground ground_at(WorldPoint p) const;
 };
 
-/// Position and attitude of the body B in W: heading about z, then pitch (nose down positive), then roll (right
-/// side down positive), as the calibration file has the camera's.
+/// Position and attitude of the body B in W: heading about z, then pitch (nose down positive), then roll
+/// (right side down positive), as the calibration file has the camera's.
 struct BodyPose {
   double x_m = 0.0;
   double y_m = 0.0;

@@ -22,7 +22,9 @@ TEST(ProcessPool, GivesBackWhatEachPieceMade) {
 
 TEST(ProcessPool, CountsThePiecesThatFail) {
   int done = 0;
-  const auto work = [](int i) -> std::string { return i == 1 ? throw std::runtime_error("this one fails") : "good"; };
+  const auto work = [](int i) -> std::string {
+    return i == 1 ? throw std::runtime_error("this one fails") : "good";
+  };
   EXPECT_EQ(run_in_processes(3, 2, work, [&](int, const std::string&) { ++done; }), 1);
   EXPECT_EQ(done, 2);
 }

@@ -28,11 +28,14 @@ struct Scene {
         const bool ground = ray.z() < 0.0;
         frame.labels.push_back(ground ? TruthLabel::ground : TruthLabel::sky);
         frame.objects.push_back(0);
-        frame.depth_m.push_back(ground ? static_cast<float>(-camera.p_BC_m.z() / ray.z()) : std::numeric_limits<float>::infinity());
+        frame.depth_m.push_back(ground ? static_cast<float>(-camera.p_BC_m.z() / ray.z())
+                                       : std::numeric_limits<float>::infinity());
       }
     }
   }
-  std::size_t pixel(int column, int row) const { return static_cast<std::size_t>(row * camera.width_px + column); }
+  std::size_t pixel(int column, int row) const {
+    return static_cast<std::size_t>(row * camera.width_px + column);
+  }
   /// A wall across some columns and rows, standing `away_m` in front of the camera.
   void put_wall(std::uint16_t number, int left, int right, int top, int bottom, float away_m) {
     for (int row = top; row < bottom; ++row) {

@@ -13,7 +13,8 @@
 namespace hindsight::tools {
 namespace {
 
-/// A thin trunk straight ahead, between the beams of the infrared sensors: a robot that knows nothing yet runs into it.
+/// A thin trunk straight ahead, between the beams of the infrared sensors: a robot that knows nothing yet
+/// runs into it.
 constexpr const char* kCourse = R"([course]
 name = "one_tree"
 length_m = 20.0

@@ -12,8 +12,8 @@
 #include "config/exit_code.h"
 #include "perception/optical_flow.h"
 #include "tools/bench_flow.h"
-#include "tools/opencv_flow.h"
 #include "tools/builtin_config.h"
+#include "tools/opencv_flow.h"
 
 namespace hindsight::tools {
 namespace {
@@ -50,7 +50,8 @@ TEST_F(TracebackEvaluation, FindsNoErrorWhereTheSceneOnlySlides) {
   ImageFolder frames(folder_);
   std::vector<TracebackArm> arms;
   arms.push_back(hindsight_arm("default", {}, {}, {320, 200}));
-  arms.push_back(opencv_arm("thesis_opencv", thesis_configuration().flow, thesis_configuration().flow_history, {320, 200}));
+  arms.push_back(opencv_arm("thesis_opencv", thesis_configuration().flow, thesis_configuration().flow_history,
+                            {320, 200}));
   int done = 0;
   evaluate_traceback(frames, arms, [&](int frame) { done = frame; });
   EXPECT_EQ(done, 14);
@@ -104,7 +105,8 @@ TEST(OpencvFlow, AgreesWithOurFlow) {
 TEST(BenchFlow, TimesAllThree) {
   const std::vector<cv::Mat> frames = {view({0, 0}, {160, 120}), view({1, 1}, {160, 120}),
                                        view({2, 2}, {160, 120})};
-  const FlowBench bench = bench_flow(frames, thesis_configuration().flow, thesis_configuration().flow_history, {}, {});
+  const FlowBench bench =
+      bench_flow(frames, thesis_configuration().flow, thesis_configuration().flow_history, {}, {});
   EXPECT_GT(bench.opencv_ms, 0.0);
   EXPECT_GT(bench.thesis_ms, 0.0);
   EXPECT_GT(bench.default_ms, 0.0);
