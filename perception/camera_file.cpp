@@ -19,8 +19,8 @@
 namespace hindsight {
 namespace {
 
-constexpr std::array<std::string_view, kNearPatchCount> kPatchNames = {"bumper_left", "bumper_right",
-                                                                       "ir_left", "ir_right", "ahead"};
+constexpr std::array<std::string_view, kNearPatchCount> kPatchNames = {
+    "bumper_left", "bumper_right", "ir_left", "ir_right", "ahead", "bumper_both"};
 
 /// OpenCV prints its errors before it throws them; ours are printed once, by whoever catches them.
 class QuietOpenCv {

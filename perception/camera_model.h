@@ -34,9 +34,10 @@ enum class NearPatch : std::uint8_t {
   bumper_right = 1,
   ir_left = 2,
   ir_right = 3,
-  ahead = 4
+  ahead = 4,
+  bumper_both = 5
 };
-constexpr int kNearPatchCount = 5;
+constexpr int kNearPatchCount = 6;
 
 /// Pinhole with OpenCV's distortion, mounted on the body. C is the camera frame: x right, y down, z forward.
 struct CameraModel {

@@ -77,8 +77,7 @@ TrainingEventSource::TrainingEventSource(const TrainingEventParams& params, cons
 std::span<const TrainingEvent> TrainingEventSource::update(const TrainingInput& input) {
   events_.clear();
   if (input.new_frame) ++frame_;
-  look_at_bumper(input.bumper_left, true, input.X_WB);
-  look_at_bumper(input.bumper_right, false, input.X_WB);
+  look_at_bumpers(input);
   look_at_ir(input.ir_left_m, true, input.X_WB);
   look_at_ir(input.ir_right_m, false, input.X_WB);
   if (begins(touching_[static_cast<std::size_t>(TrainingCause::slip)], input.slip))
@@ -102,15 +101,29 @@ void TrainingEventSource::tell(TrainingCause cause, TerrainClass label, const st
   events_.push_back({cause, label, in_view ? *patch : ImageRect{}, 0, in_view, X_WB * p_BP_m});
 }
 
-void TrainingEventSource::look_at_bumper(bool pressed, bool left, const Pose2& X_WB) {
-  const TrainingCause cause = left ? TrainingCause::bumper_left : TrainingCause::bumper_right;
-  if (!begins(touching_[static_cast<std::size_t>(cause)], pressed)) return;
-  const double side = left ? 1.0 : -1.0;
-  const Point2 p_BP_m{vehicle_.front_m + params_.cone_width_m / 2, side * vehicle_.width_m / 4};
+void TrainingEventSource::look_at_bumpers(const TrainingInput& input) {
+  const auto closes = [this](TrainingCause cause, bool pressed) {
+    return begins(touching_[static_cast<std::size_t>(cause)], pressed);
+  };
+  const bool left_closes = closes(TrainingCause::bumper_left, input.bumper_left);
+  const bool right_closes = closes(TrainingCause::bumper_right, input.bumper_right);
+  if (!left_closes && !right_closes) return;
+  const double half_m = vehicle_.width_m / 4;
+  if (input.bumper_left && input.bumper_right) {
+    tell_bumper(TrainingCause::bumper_both, NearPatch::bumper_both, 0.0, input.X_WB);
+  } else if (left_closes) {
+    tell_bumper(TrainingCause::bumper_left, NearPatch::bumper_left, half_m, input.X_WB);
+  } else {
+    tell_bumper(TrainingCause::bumper_right, NearPatch::bumper_right, -half_m, input.X_WB);
+  }
+}
+
+void TrainingEventSource::tell_bumper(TrainingCause cause, NearPatch by_hand, double side_m,
+                                      const Pose2& X_WB) {
+  const Point2 p_BP_m{vehicle_.front_m + params_.cone_width_m / 2, side_m};
   const auto top =
       upright_patch(camera_, p_BP_m, params_.cone_width_m, params_.cone_height_m / 2, params_.cone_height_m);
-  tell(cause, TerrainClass::lethal, by_hand_or(left ? NearPatch::bumper_left : NearPatch::bumper_right, top),
-       p_BP_m, X_WB);
+  tell(cause, TerrainClass::lethal, by_hand_or(by_hand, top), p_BP_m, X_WB);
 }
 
 void TrainingEventSource::look_at_ir(double range_m, bool left, const Pose2& X_WB) {

@@ -4,11 +4,11 @@
 // What near-range sensors teach: which patch of which frame is good, bad or lethal (thesis 5.1, "training
 // events").
 //
-// A bumper that closes: the top of a traffic cone that touches its half of the bumper is lethal. An IR sensor
-// below its range threshold: the spot that it measures is bad. Slip: the ground just ahead is bad. Ground
-// that was seen ahead and is then driven over without any of these is good: a strip of ground is remembered
-// every good_spacing_m, with the frame that shows it, and taught once odometry says that the driven axle has
-// crossed it.
+// A bumper that closes: the top of a traffic cone that touches its half of the bumper is lethal; where both
+// halves are pressed, of one that touches the middle. An IR sensor below its range threshold: the spot that
+// it measures is bad. Slip: the ground just ahead is bad. Ground that was seen ahead and is then driven over
+// without any of these is good: a strip of ground is remembered every good_spacing_m, with the frame that
+// shows it, and taught once odometry says that the driven axle has crossed it.
 #pragma once
 
 #include <array>
@@ -72,8 +72,10 @@ enum class TrainingCause : std::uint8_t {
   ir_left = 2,
   ir_right = 3,
   slip = 4,
-  driven_over = 5
+  driven_over = 5,
+  bumper_both = 6
 };
+constexpr int kTrainingCauseCount = 7;
 
 struct TrainingEvent {
   TrainingCause cause = TrainingCause::bumper_left;
@@ -118,7 +120,9 @@ class TrainingEventSource {
 
   void tell(TrainingCause cause, TerrainClass label, const std::optional<ImageRect>& patch, Point2 p_BP_m,
             const Pose2& X_WB);
-  void look_at_bumper(bool pressed, bool left, const Pose2& X_WB);
+  void look_at_bumpers(const TrainingInput& input);
+  /// side_m: of the touched thing's middle, left positive.
+  void tell_bumper(TrainingCause cause, NearPatch by_hand, double side_m, const Pose2& X_WB);
   void look_at_ir(double range_m, bool left, const Pose2& X_WB);
   void tell_driven_over(const Pose2& X_WB);
   void remember_strip(const Pose2& X_WB);

@@ -68,7 +68,7 @@ std::string touches_text(const RunTrace& trace) {
 
 std::string events_text(const RunTrace& trace) {
   std::string text;
-  for (int i = 0; i <= static_cast<int>(TrainingCause::driven_over); ++i) {
+  for (int i = 0; i < kTrainingCauseCount; ++i) {
     const auto cause = static_cast<TrainingCause>(i);
     const auto count = std::count_if(trace.events.begin(), trace.events.end(),
                                      [cause](const EventTrace& event) { return event.cause == cause; });

@@ -23,7 +23,7 @@ Rgb color_of(TerrainClass label) { return look_up(label, std::array{kGood, kBad,
 Rgb color_of(SourceState state) { return look_up(state, std::array{kFaint, kGood, kStale, kLethal, kPaper}); }
 
 Rgb color_of(TrainingCause cause) {
-  return look_up(cause, std::array{kLethal, kLethal, kBad, kBad, kRight, kGood});
+  return look_up(cause, std::array{kLethal, kLethal, kBad, kBad, kRight, kGood, kLethal});
 }
 
 const char* name_of(TerrainClass label) {
@@ -39,8 +39,8 @@ const char* name_of(Source source) {
 }
 
 const char* name_of(TrainingCause cause) {
-  return look_up(cause,
-                 std::array{"bumper left", "bumper right", "IR left", "IR right", "slip", "driven over"});
+  return look_up(cause, std::array{"bumper left", "bumper right", "IR left", "IR right", "slip",
+                                   "driven over", "both bumpers"});
 }
 
 const char* name_of(Behaviour behaviour) {

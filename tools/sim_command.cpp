@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <atomic>
+#include <csignal>
 #include <cstring>
 #include <memory>
 #include <optional>
@@ -16,6 +18,7 @@
 #include "drivers/monotonic_clock.h"
 #include "sim_replay/run_log_writer.h"
 #include "sim_replay/world/course.h"
+#include "tools/sim_devices.h"
 #include "tools/sim_run.h"
 
 namespace hindsight::tools {
@@ -27,6 +30,7 @@ struct SimArguments {
   double seconds = 600.0;
   double pace = 0.0;
   std::string record;
+  bool devices = false;
   std::vector<std::string> configuration_files;
 };
 
@@ -60,10 +64,9 @@ void close(RunLogWriter& writer, const std::string& path) {
                    fmt::format("{}: cannot write the log: {}", path, std::strerror(writer.error_code())));
 }
 
-int sim(const SimArguments& arguments) {
-  const Course course = load_course(arguments.course);
+int sim_in_lock_step(const SimArguments& arguments, const World& world) {
   SimRun run({.configuration = load_configuration(arguments.configuration_files),
-              .world = build_world(course, arguments.seed),
+              .world = world,
               .seed = arguments.seed,
               .mixture = {}});
   std::optional<RunLogWriter> writer;
@@ -84,21 +87,62 @@ int sim(const SimArguments& arguments) {
   return kExitOk;
 }
 
+std::atomic<bool> interrupted = false;
+
+void tell_devices(const DevicesSummary& s) {
+  fmt::print(
+      "{:.0f} s: {:.1f} m to the goal, {:.1f} m driven, {} bumper, {} IR touches, {} commands, {} frames\n",
+      s.seconds, s.to_goal_m, s.distance_m, s.touches, s.ir_touches, s.commands, s.frames);
+  std::fflush(stdout);
+}
+
+/// The goal in the robot's own world, for the operator: nobody else gives orders here.
+void tell_goal(const World& world) {
+  const Point2 goal_W = in_robots_world(world, world.goal);
+  fmt::print("The goal lies at {:.2f} {:.2f}: hindsight send arm; hindsight send go-to {:.2f} {:.2f}\n",
+             goal_W.x_m, goal_W.y_m, goal_W.x_m, goal_W.y_m);
+}
+
+int sim_on_devices(const SimArguments& arguments, const World& world) {
+  std::signal(SIGINT, [](int) { interrupted = true; });
+  std::signal(SIGTERM, [](int) { interrupted = true; });
+  tell_goal(world);
+  tell_devices(run_on_devices({.configuration = load_configuration(arguments.configuration_files),
+                               .world = world,
+                               .seed = arguments.seed,
+                               .seconds = arguments.seconds},
+                              interrupted, tell_devices));
+  return kExitOk;
+}
+
+int sim(const SimArguments& arguments) {
+  const World world = build_world(load_course(arguments.course), arguments.seed);
+  return arguments.devices ? sim_on_devices(arguments, world) : sim_in_lock_step(arguments, world);
+}
+
 }  // namespace
 
 void add_sim(CLI::App& app, Run& run) {
   auto arguments = std::make_shared<SimArguments>();
-  CLI::App* command =
-      app.add_subcommand("sim", "Let a robot drive a simulated course, in lock step with the core");
+  CLI::App* command = app.add_subcommand("sim", "Let a robot drive a simulated course");
   command->add_option("course", arguments->course, "Course file")->required()->type_name("COURSE.toml");
   command->add_option("--seed", arguments->seed, "Another number, another world and other noise")
       ->capture_default_str();
   command->add_option("--seconds", arguments->seconds, "Longest run, in the world's time [s]")
       ->capture_default_str()
       ->check(CLI::PositiveNumber);
-  command->add_option("--record", arguments->record, "Run log to write")->type_name("RUN.lcm");
-  command->add_option("--pace", arguments->pace, "Times real time; as fast as it goes by default")
-      ->check(CLI::PositiveNumber);
+  CLI::Option* record =
+      command->add_option("--record", arguments->record, "Run log to write")->type_name("RUN.lcm");
+  CLI::Option* pace =
+      command->add_option("--pace", arguments->pace, "Times real time; as fast as it goes by default")
+          ->check(CLI::PositiveNumber);
+  command
+      ->add_flag(
+          "--devices", arguments->devices,
+          "Be the world of a running hindsightd: at the other end of the v4l2loopback device, CAN bus, "
+          "gpio-sim lines and gpsd port that its configuration names; goes by the clock")
+      ->excludes(record)
+      ->excludes(pace);
   command->add_option("--config", arguments->configuration_files, "The robot's configuration");
   command->callback([arguments, &run] { run = [arguments] { return sim(*arguments); }; });
 }

@@ -12,7 +12,9 @@ namespace {
 
 constexpr int kJpegQuality = 92;
 
-RenderCamera camera_of(const CameraModel& model) {
+}  // namespace
+
+RenderCamera render_camera(const CameraModel& model) {
   RenderCamera camera{.width_px = model.width_px,
                       .height_px = model.height_px,
                       .fx_px = model.fx_px,
@@ -29,11 +31,9 @@ RenderCamera camera_of(const CameraModel& model) {
   return camera;
 }
 
-}  // namespace
-
 SimFeed::SimFeed(const RobotSetup& setup, const World& world, std::uint64_t seed, bool truth)
     : world_(world),
-      camera_(camera_of(setup.camera)),
+      camera_(render_camera(setup.camera)),
       renderer_(world_, camera_, seed),
       vehicle_(setup.configuration.vehicle, world_, setup.dbc, setup.configuration.can_roles,
                setup.configuration.training.ir_threshold_m, seed),

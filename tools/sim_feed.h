@@ -17,6 +17,9 @@
 
 namespace hindsight::tools {
 
+/// The calibrated camera, as the renderer wants it.
+RenderCamera render_camera(const CameraModel& model);
+
 class SimFeed {
  public:
   static constexpr Time kStart = from_seconds(1.0);

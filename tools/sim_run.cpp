@@ -13,14 +13,13 @@ namespace {
 /// The first frames settle before the robot is told to go.
 constexpr std::uint64_t kOrdersAtTick = 5;
 
-/// The robot's own world begins where it stands, its x axis straight ahead.
+}  // namespace
+
 Point2 in_robots_world(const World& world, WorldPoint p) {
   const double dx = p.x_m - world.start.x_m, dy = p.y_m - world.start.y_m;
   const double c = std::cos(world.start_heading_rad), s = std::sin(world.start_heading_rad);
   return {c * dx + s * dy, -s * dx + c * dy};
 }
-
-}  // namespace
 
 RunHeader sim_materials(const Configuration& configuration, const std::vector<std::uint8_t>& mixture) {
   RunHeader materials;

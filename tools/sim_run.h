@@ -43,6 +43,9 @@ struct SimSetup {
 /// What a log of a simulated run begins with: DBC and calibration are the built-in ones.
 RunHeader sim_materials(const Configuration& configuration, const std::vector<std::uint8_t>& mixture);
 
+/// The robot's own world W begins where it stands, its x axis straight ahead.
+Point2 in_robots_world(const World& world, WorldPoint p);
+
 class SimRun {
  public:
   explicit SimRun(const SimSetup& setup);

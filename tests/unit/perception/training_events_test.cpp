@@ -72,6 +72,24 @@ TEST(TrainingEvents, BumperMeansTheTopOfAConeOnItsSide) {
   }
 }
 
+TEST(TrainingEvents, BothBumpersMeanWhatStandsBetweenThem) {
+  for (const bool at_once : {true, false}) {
+    Drive drive;
+    drive.tick();
+    drive.input.bumper_left = true;
+    if (!at_once) drive.tick();
+    drive.input.bumper_right = true;
+    const auto events = drive.tick();
+    ASSERT_EQ(events.size(), 1U);
+    EXPECT_EQ(events[0].cause, TrainingCause::bumper_both);
+    EXPECT_EQ(events[0].label, TerrainClass::lethal);
+    ASSERT_TRUE(events[0].in_view);
+    EXPECT_NEAR(middle(events[0].patch_px).x_px, 359.5, 1.0);
+    EXPECT_NEAR(events[0].p_WP_m.x_m, 0.45, 1e-9);
+    EXPECT_NEAR(events[0].p_WP_m.y_m, 0.0, 1e-9);
+  }
+}
+
 TEST(TrainingEvents, OneContactIsOneEvent) {
   Drive drive;
   drive.input.bumper_left = true;
