@@ -129,6 +129,8 @@ expect 66 'absent.csv' "$tool" eval slip --csv absent.csv --rate 10
 
 # Simulation
 courses=$source/sim_replay/courses
+printf '[can]\ninterface = "nocan0"\n[robot]\ncalibration = "%s"\n[can.roles]\ndbc = "%s"\n' \
+  "$source/config/camera.yaml" "$source/config/lagr.dbc" >nocan.toml
 expect 64 'course' "$tool" sim
 expect 66 'absent.toml' "$tool" sim absent.toml
 overlay course.toml '[course]\nname = "x"\nlenght_m = 70.0\n'
@@ -136,6 +138,8 @@ expect 78 'course.toml:3:1.*lenght_m.*length_m' "$tool" sim course.toml
 overlay inside.toml '[course]\nname = "x"\n[trees]\nat_m = [0.2, 0.1]\n'
 expect 78 'inside.toml: the start .* tree' "$tool" sim inside.toml
 expect 69 'no EGL' env __EGL_VENDOR_LIBRARY_FILENAMES=/absent "$tool" sim "$courses/forest.toml" --seconds 1
+expect 69 'nocan0' "$tool" sim "$courses/forest.toml" --devices --config nocan.toml
+expect 64 'excludes --devices' "$tool" sim "$courses/forest.toml" --devices --record run.lcm
 expect 74 'absent/run.lcm' "$tool" sim "$courses/orange_fence.toml" --seconds 1 --record absent/run.lcm
 expect 66 'segmentation_' "$tool" experiment navigation "$courses/forest.toml" -o experiment
 
