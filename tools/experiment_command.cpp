@@ -4,6 +4,7 @@
 
 #include <memory>
 
+#include "tools/experiment_colours.h"
 #include "tools/experiment_failsafe.h"
 #include "tools/experiment_navigation.h"
 #include "tools/experiment_segmentation.h"
@@ -116,6 +117,22 @@ void add_traceback(CLI::App& experiments, Run& run) {
   command->callback([e, &run] { run = [e] { return run_traceback_experiment(*e); }; });
 }
 
+void add_colours(CLI::App& experiments, Run& run) {
+  auto e = std::make_shared<ColoursExperiment>();
+  CLI::App* command = experiments.add_subcommand(
+      "colours", "Colours of rendered frames beside those of real labelled stills, by class");
+  command->add_option("courses", e->courses, "Course files")->required()->type_name("COURSE.toml");
+  command->add_option("--stills", e->stills, "Folder of NUMBER/rgb.jpg and labels.png (YCOR)")
+      ->required()
+      ->type_name("DIR");
+  command->add_option("-o,--output", e->folder, "Folder for table and figure")->required()->type_name("DIR");
+  command->add_option("--frames", e->frames, "Rendered of each course")
+      ->capture_default_str()
+      ->check(CLI::PositiveNumber);
+  command->add_option("--seed", e->seed, "Of the worlds")->capture_default_str();
+  command->callback([e, &run] { run = [e] { return run_colours_experiment(*e); }; });
+}
+
 }  // namespace
 
 void add_experiment(CLI::App& app, Run& run) {
@@ -126,6 +143,7 @@ void add_experiment(CLI::App& app, Run& run) {
   add_traceback(*experiments, run);
   add_slip(*experiments, run);
   add_failsafe(*experiments, run);
+  add_colours(*experiments, run);
 }
 
 }  // namespace hindsight::tools
