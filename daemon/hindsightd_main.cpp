@@ -22,6 +22,7 @@ std::atomic<bool> stop_requested{false};
 struct Arguments {
   std::vector<std::string> configuration_files;
   ReplayJob replay;
+  std::vector<std::string> faults;
   std::string record;
   bool check_config = false;
   bool print_config = false;
@@ -38,6 +39,12 @@ void declare(CLI::App& app, Arguments& arguments) {
       ->check(CLI::Range(0.001, 1000.0))
       ->needs("--replay");
   app.add_flag("--recover", arguments.replay.recover, "With --replay: skip what is damaged in the log")
+      ->needs("--replay");
+  app.add_option("--inject", arguments.faults,
+                 "With --replay: a fault to rehearse, such as camera:stuck:12.5s:2s: from 12.5 s on, for 2 s; may be "
+                 "given again. Sources: camera, can, gpio, gps. Faults: off, stuck, garbage, wrong, slow, delayed, "
+                 "intermittent")
+      ->type_name("SOURCE:FAULT:BEGIN:LENGTH")
       ->needs("--replay");
   app.add_option("--record", arguments.record, "Write a run log")->type_name("OUT.lcm");
   app.add_flag("--check-config", arguments.check_config, "Read configuration, CAN protocol and calibration, and end");
@@ -67,6 +74,7 @@ int run(Arguments arguments) {
   if (arguments.replay.log.empty()) return run_live({arguments.configuration_files, arguments.record});
   arguments.replay.configuration_files = arguments.configuration_files;
   arguments.replay.record = arguments.record;
+  for (const std::string& fault : arguments.faults) arguments.replay.faults.push_back(parse_fault(fault));
   for (int signal : {SIGINT, SIGTERM}) std::signal(signal, [](int) { stop_requested = true; });
   return run_replay(arguments.replay, [] { return stop_requested.load(); });
 }

@@ -95,7 +95,8 @@ void tell_losses(const ReplayLosses& losses) {
 
 }  // namespace
 
-ReplayRun::ReplayRun(const std::string& log, std::optional<Configuration> configuration, bool recover)
+ReplayRun::ReplayRun(const std::string& log, std::optional<Configuration> configuration, bool recover,
+                     std::vector<FaultSpec> faults)
     : pool_(kFramesInFlight, 0, 0) {
   ReplayOptions options;
   options.recover = recover;
@@ -107,12 +108,14 @@ ReplayRun::ReplayRun(const std::string& log, std::optional<Configuration> config
   const RobotSetup setup = make_setup(configuration_, materials_, log);
   camera_ = setup.camera;
   robot_ = std::make_unique<Robot>(setup);
-  if (!source_->recorded_ticks()) reflex_.emplace(configuration_);
+  if (!source_->recorded_ticks() || !faults.empty()) reflex_.emplace(configuration_);
+  if (!faults.empty()) faults_.emplace(std::move(faults));
   input_.reserve();
 }
 
 bool ReplayRun::step() {
   if (!source_->next(input_, &recorded_)) return false;
+  if (faults_) faults_->inject(input_);
   if (reflex_) {
     reflex_->run_up_to(input_);
     input_.timing = timing_;
@@ -128,7 +131,7 @@ bool ReplayRun::step() {
 int run_replay(const ReplayJob& job, const std::function<bool()>& stop) {
   std::optional<Configuration> configuration;
   if (!job.configuration_files.empty()) configuration = load_configuration(job.configuration_files);
-  ReplayRun run(job.log, configuration, job.recover);
+  ReplayRun run(job.log, configuration, job.recover, job.faults);
   std::optional<RunLogWriter> writer;
   if (!job.record.empty()) {
     RunHeader header = run.materials();

@@ -10,6 +10,7 @@
 #include "daemon/robot.h"
 #include "daemon/virtual_reflex.h"
 #include "drivers/frame_pool.h"
+#include "sim_replay/sample_faults.h"
 #include "sim_replay/replay_source.h"
 
 namespace hindsight {
@@ -20,7 +21,9 @@ class ReplayRun {
  public:
   /// `configuration`: used instead of the log's own; needed for an imported log, which has none. Throws FatalError 65
   /// or 66 as ReplaySource does.
-  ReplayRun(const std::string& log, std::optional<Configuration> configuration, bool recover);
+  /// Faults change the ticks; what the recorded run's reflex and machine did then no longer counts.
+  ReplayRun(const std::string& log, std::optional<Configuration> configuration, bool recover,
+            std::vector<FaultSpec> faults = {});
 
   /// Runs the next tick. False at the log's end.
   bool step();
@@ -43,6 +46,7 @@ class ReplayRun {
   CameraModel camera_;
   std::unique_ptr<Robot> robot_;
   std::optional<VirtualReflex> reflex_;
+  std::optional<SampleFaults> faults_;
   TickInput input_;
   Outbox outbox_;
   Decision decision_;
@@ -57,6 +61,7 @@ struct ReplayJob {
   double pace = 0.0;   ///< times real time; 0: as fast as it goes, without telemetry
   std::string record;  ///< run log to write; empty: none
   bool recover = false;
+  std::vector<FaultSpec> faults;
 };
 /// Returns the exit code. Ends early, in good order, when `stop` says so.
 int run_replay(const ReplayJob& job, const std::function<bool()>& stop);
