@@ -44,7 +44,7 @@ struct FaultSpec {
 /// wrong with it and what is known.
 FaultSpec parse_fault(const std::string& text);
 
-/// Changes ticks before the robot sees them. The same faults and ticks give the same changes. Allocates. One
+/// Changes ticks before the robot sees them; must outlive them, since pictures that it made are its own. The same faults and ticks give the same changes. Allocates. One
 /// thread.
 class SampleFaults {
  public:
