@@ -21,7 +21,6 @@
 #include "perception/bottom_finder.h"
 #include "perception/evidence_grid.h"
 #include "perception/flow_history.h"
-#include "perception/label_filter.h"
 #include "perception/localisation_params.h"
 #include "perception/optical_flow_params.h"
 #include "perception/slip_detector.h"
@@ -100,7 +99,6 @@ struct Configuration {
   MixtureParams mixture;
   TrainingEventParams training;
   TrainingPatchParams reverse_flow;
-  LabelFilterParams label_filter;
   BottomFinderParams bottom_finder;
   EvidenceGridParams evidence_grid;
   SlipDetectorParams slip;
@@ -127,7 +125,6 @@ struct Configuration {
     section("mixture", mixture);
     section("training", training);
     section("reverse_flow", reverse_flow);
-    section("label_filter", label_filter);
     section("bottom_finder", bottom_finder);
     section("evidence_grid", evidence_grid);
     section("slip", slip);

@@ -19,8 +19,7 @@ Sight::Sight(const Configuration& configuration, const CameraModel& camera)
       appearance_(configuration.appearance, configuration.flow_history.depth + 1, width_px_, height_px_),
       ground_(camera, configuration.bottom_finder.max_range_m),
       bottom_finder_(configuration.bottom_finder, camera, ground_, configuration.evidence_grid.resolution_m),
-      segmenter_(width_px_, height_px_),
-      label_filter_(configuration.label_filter, width_px_, height_px_) {}
+      segmenter_(width_px_, height_px_) {}
 
 bool Sight::interrupted(const Frame& frame) const {
   return frame.sequence - last_sequence_ > kMostFramesLost + 1 || frame.stamp < last_stamp_ ||
@@ -47,7 +46,7 @@ bool Sight::see(const Frame& frame) {
 }
 
 void Sight::classify(const Frame& frame, const TerrainMixture& mixture) {
-  labels_ = label_filter_.smooth(segmenter_.segment(frame.bgr, mixture));
+  labels_ = segmenter_.segment(frame.bgr, mixture);
   votes_ = bottom_finder_.find(labels_);
 }
 

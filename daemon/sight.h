@@ -15,7 +15,6 @@
 #include "perception/camera_model.h"
 #include "perception/flow_history.h"
 #include "perception/ground_plane.h"
-#include "perception/label_filter.h"
 #include "perception/optical_flow.h"
 #include "perception/segmenter.h"
 
@@ -52,7 +51,6 @@ class Sight {
   GroundPlane ground_;
   BottomFinder bottom_finder_;
   Segmenter segmenter_;
-  LabelFilter label_filter_;
   bool any_frame_ = false;
   Time last_stamp_{};
   std::uint32_t last_sequence_ = 0;

@@ -36,12 +36,13 @@ double scatter_kept(double gate) {
 
 }  // namespace
 
-TerrainClass vote_label(const Votes& votes, double min_votes, const Votes& worth) {
+TerrainClass vote_label(const Votes& votes, double min_votes, double caution) {
   const double total = std::accumulate(votes.begin(), votes.end(), 0.0);
   if (total <= 0.0 || total < min_votes) return TerrainClass::unknown;
+  const Votes worth{votes[0], caution * votes[1], caution * votes[2]};
   std::size_t best = 0;
-  for (std::size_t i = 1; i < votes.size(); ++i) {
-    if (votes[i] * worth[i] >= votes[best] * worth[best]) best = i;
+  for (std::size_t i = 1; i < worth.size(); ++i) {
+    if (worth[i] >= worth[best]) best = i;
   }
   return static_cast<TerrainClass>(best);
 }
@@ -97,10 +98,7 @@ TerrainMixture::TrainingReport TerrainMixture::train(std::span<const std::array<
     if (evidence_[i].count_px > 0.0) update(i, components_[i], evidence_[i]);
   }
   for (const Newcomer& n : newcomers_) update(room(report), first_shape(n.whitened.mean), n.evidence);
-  if (most_px > 0.0) {
-    relabel();
-    ++version_;
-  }
+  if (most_px > 0.0) ++version_;
   return report;
 }
 
@@ -189,26 +187,8 @@ MixtureComponent TerrainMixture::learn(MixtureComponent component, const Evidenc
   if (total > params_.memory_votes) {
     for (double& v : component.votes) v *= params_.memory_votes / total;
   }
+  component.label = vote_label(component.votes, params_.min_votes, params_.caution);
   return component;
-}
-
-/// Of one vote of each class. Balanced, a class' votes come to one over all components, so that a component's
-/// worth of votes is the likelihood of meeting it in ground of that class; bad and lethal are one class
-/// there.
-Votes TerrainMixture::vote_worth() const {
-  if (params_.vote_balance == "none") return {1.0, 1.0, 1.0};
-  Votes all{};
-  for (const MixtureComponent& c : components_) {
-    for (std::size_t i = 0; i < all.size(); ++i) all[i] += c.votes[i];
-  }
-  const auto share = [](double votes) { return votes > 0.0 ? 1.0 / votes : 0.0; };
-  const double hazard = params_.caution * share(all[1] + all[2]);
-  return {share(all[0]), hazard, hazard};
-}
-
-void TerrainMixture::relabel() {
-  const Votes worth = vote_worth();
-  for (MixtureComponent& c : components_) c.label = vote_label(c.votes, params_.min_votes, worth);
 }
 
 void TerrainMixture::place(std::size_t index, const MixtureComponent& component) {
@@ -228,9 +208,9 @@ std::string TerrainMixture::restore(const MixtureSnapshot& saved) {
   for (std::size_t i = 0; i < components_.size(); ++i) {
     MixtureComponent component = saved.components[i];
     component.covariance = floor_eigenvalues(component.covariance, params_.eigenvalue_floor);
+    component.label = vote_label(component.votes, params_.min_votes, params_.caution);
     place(i, component);
   }
-  relabel();
   ++version_;
   return {};
 }

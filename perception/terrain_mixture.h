@@ -47,8 +47,7 @@ struct MixtureParams {
   std::string vote_unit = "event";
   double memory_votes = 5.0;
   double min_votes = 0.05;
-  std::string vote_balance = "class";
-  double caution = 2.0;
+  double caution = 3.0;
   int seed = 1;
 
   void visit(auto&& param) {
@@ -74,12 +73,8 @@ struct MixtureParams {
           "votes after which a component forgets the oldest; thesis: never, 1e9");
     param("min_votes", min_votes, Range{0.0, 1e3},
           "votes below which a component has no class yet; thesis: 0");
-    param("vote_balance", vote_balance, Choices{"none", "class"},
-          "class: a vote counts as its share of all votes of its class, so that the few touches outweigh the "
-          "many "
-          "metres of good ground; thesis: none");
     param("caution", caution, Range{0.01, 100.0},
-          "with vote_balance = class: how much more bad and lethal votes count than good ones");
+          "how many good votes a bad or lethal one outweighs: a touch is rare and dear; thesis: 1");
     param("seed", seed, Range{0, 2147483647}, "of the K-means start");
   }
 };
@@ -98,10 +93,10 @@ struct MixtureComponent {
   bool operator==(const MixtureComponent&) const = default;
 };
 
-/// The class whose votes are worth most together; of equal ones the more severe. `unknown` where there are no
-/// votes, or fewer than `min_votes` together: a handful of stray pixels of one event says nothing about a
-/// component. `worth`: of one vote of each class.
-TerrainClass vote_label(const Votes& votes, double min_votes, const Votes& worth = {1.0, 1.0, 1.0});
+/// The class with most votes, where a bad or lethal one counts `caution` times; of equal ones the more
+/// severe. `unknown` where there are no votes, or fewer than `min_votes` together: a handful of stray pixels
+/// of one event says nothing about a component.
+TerrainClass vote_label(const Votes& votes, double min_votes, double caution = 1.0);
 
 /// What a saved mixture is: everything that training has to go on from.
 struct MixtureSnapshot {
@@ -167,8 +162,6 @@ class TerrainMixture {
   MixtureComponent learn(MixtureComponent component, const Evidence& evidence, TerrainClass label,
                          double votes) const;
   std::size_t room(TrainingReport& report);
-  Votes vote_worth() const;
-  void relabel();
   void place(std::size_t index, const MixtureComponent& component);
 
   MixtureParams params_;

@@ -71,27 +71,10 @@ TEST(VoteLabel, MostVotesWinAndTiesGoToTheMoreSevere) {
   EXPECT_EQ(vote_label({2, 2, 0}, 0), TerrainClass::bad);
 }
 
-TEST(VoteLabel, WorthIsOfEachVote) {
-  EXPECT_EQ(vote_label({10, 0, 1}, 0, {0.1, 1, 2}), TerrainClass::lethal);
-  EXPECT_EQ(vote_label({10, 0, 1}, 0, {0.3, 1, 2}), TerrainClass::good);
-}
-
-/// Ninety lessons of good ground that holds some dark pixels, then one touch of something dark.
-TEST(TerrainMixture, BalancedVotesLetOneTouchOutweighMuchGoodGround) {
-  for (const char* balance : {"none", "class"}) {
-    MixtureParams params;
-    params.vote_balance = balance;
-    params.memory_votes = 1e9;
-    TerrainMixture mixture = started(params);
-    std::vector<std::array<std::uint8_t, 3>> ground(90, {90, 120, 150});
-    ground.insert(ground.end(), 10, {20, 25, 30});
-    for (int n = 0; n < 90; ++n) mixture.train(ground, TerrainClass::good);
-    const std::vector<std::array<std::uint8_t, 3>> trunk(100, {20, 25, 30});
-    mixture.train(trunk, TerrainClass::lethal);
-    const bool balanced = std::string(balance) == "class";
-    EXPECT_EQ(classify_reference(mixture, 20, 25, 30), balanced ? TerrainClass::lethal : TerrainClass::good);
-    EXPECT_EQ(classify_reference(mixture, 90, 120, 150), TerrainClass::good);
-  }
+TEST(VoteLabel, CautionWeighsBadAndLethal) {
+  EXPECT_EQ(vote_label({3, 0, 1}, 0, 3.0), TerrainClass::lethal);
+  EXPECT_EQ(vote_label({3.1, 0, 1}, 0, 3.0), TerrainClass::good);
+  EXPECT_EQ(vote_label({3, 1, 0}, 0, 3.0), TerrainClass::bad);
 }
 
 TEST(VoteLabel, NoOrTooFewVotesMeanUnknown) {
@@ -181,7 +164,7 @@ TEST(TerrainMixture, AnOrangeFenceBecomesANewLethalComponent) {
 TEST(TerrainMixture, GroundInALethalPatchRecoversThroughDrivenOverGround) {
   std::mt19937 random(6);
   MixtureParams params = rgb_params();
-  params.vote_balance = "none";
+  params.caution = 1.0;
   TerrainMixture mixture = started(params);
   Pixels patch = cloud(random, 30, 110, 240, 4, 200);
   const Pixels ground = cloud(random, 90, 120, 150, 6, 200);
@@ -193,26 +176,10 @@ TEST(TerrainMixture, GroundInALethalPatchRecoversThroughDrivenOverGround) {
   EXPECT_EQ(classify_reference(mixture, 30, 110, 240), TerrainClass::lethal);
 }
 
-/// With balanced votes too, though one touch then outweighs more of them.
-TEST(TerrainMixture, BalancedVotesLetDrivenOverGroundRecover) {
-  std::mt19937 random(6);
-  TerrainMixture mixture = started(rgb_params());
-  Pixels patch = cloud(random, 30, 110, 240, 4, 200);
-  const Pixels ground = cloud(random, 90, 120, 150, 6, 200);
-  patch.insert(patch.end(), ground.begin(), ground.end());
-  mixture.train(patch, TerrainClass::lethal);
-  int needed = 0;
-  for (; classify_reference(mixture, 90, 120, 150) != TerrainClass::good && needed < 100; ++needed) {
-    mixture.train(cloud(random, 90, 120, 150, 6, 60), TerrainClass::good);
-  }
-  EXPECT_LE(needed, static_cast<int>(rgb_params().memory_votes) + 3);
-  EXPECT_EQ(classify_reference(mixture, 30, 110, 240), TerrainClass::lethal);
-}
-
 TEST(TerrainMixture, OldVotesFadeSoThatALongDriveCanBeOverruled) {
   std::mt19937 random(7);
   MixtureParams params = rgb_params();
-  params.vote_balance = "none";
+  params.caution = 1.0;
   TerrainMixture mixture = started(params);
   const Pixels ground = cloud(random, 90, 120, 150, 1, 50);
   for (int i = 0; i < 500; ++i) mixture.train(ground, TerrainClass::good);
