@@ -36,13 +36,12 @@ double scatter_kept(double gate) {
 
 }  // namespace
 
-TerrainClass vote_label(const Votes& votes, double min_votes, double caution) {
+TerrainClass vote_label(const std::array<double, kLabelCount>& votes, double min_votes) {
   const double total = std::accumulate(votes.begin(), votes.end(), 0.0);
   if (total <= 0.0 || total < min_votes) return TerrainClass::unknown;
-  const Votes worth{votes[0], caution * votes[1], caution * votes[2]};
   std::size_t best = 0;
-  for (std::size_t i = 1; i < worth.size(); ++i) {
-    if (worth[i] >= worth[best]) best = i;
+  for (std::size_t i = 1; i < votes.size(); ++i) {
+    if (votes[i] >= votes[best]) best = i;
   }
   return static_cast<TerrainClass>(best);
 }
@@ -187,7 +186,7 @@ MixtureComponent TerrainMixture::learn(MixtureComponent component, const Evidenc
   if (total > params_.memory_votes) {
     for (double& v : component.votes) v *= params_.memory_votes / total;
   }
-  component.label = vote_label(component.votes, params_.min_votes, params_.caution);
+  component.label = vote_label(component.votes, params_.min_votes);
   return component;
 }
 
@@ -208,7 +207,7 @@ std::string TerrainMixture::restore(const MixtureSnapshot& saved) {
   for (std::size_t i = 0; i < components_.size(); ++i) {
     MixtureComponent component = saved.components[i];
     component.covariance = floor_eigenvalues(component.covariance, params_.eigenvalue_floor);
-    component.label = vote_label(component.votes, params_.min_votes, params_.caution);
+    component.label = vote_label(component.votes, params_.min_votes);
     place(i, component);
   }
   ++version_;

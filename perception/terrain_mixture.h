@@ -47,7 +47,6 @@ struct MixtureParams {
   std::string vote_unit = "event";
   double memory_votes = 5.0;
   double min_votes = 0.05;
-  double caution = 3.0;
   int seed = 1;
 
   void visit(auto&& param) {
@@ -73,30 +72,24 @@ struct MixtureParams {
           "votes after which a component forgets the oldest; thesis: never, 1e9");
     param("min_votes", min_votes, Range{0.0, 1e3},
           "votes below which a component has no class yet; thesis: 0");
-    param("caution", caution, Range{0.01, 100.0},
-          "how many good votes a bad or lethal one outweighs: a touch is rare and dear; thesis: 1");
     param("seed", seed, Range{0, 2147483647}, "of the K-means start");
   }
 };
-
-/// By class: good, bad, lethal.
-using Votes = std::array<double, kLabelCount>;
 
 /// One Gaussian with the votes that training events gave it.
 struct MixtureComponent {
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();            ///< [colour units]
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Identity();  ///< symmetric, eigenvalues at or over the floor
-  double weight_px = 0.0;  ///< pixels behind mean and covariance, at most memory_px
-  Votes votes{};
+  double weight_px = 0.0;                      ///< pixels behind mean and covariance, at most memory_px
+  std::array<double, kLabelCount> votes{};     ///< good, bad, lethal
   TerrainClass label = TerrainClass::unknown;  ///< follows from the votes: see vote_label
 
   bool operator==(const MixtureComponent&) const = default;
 };
 
-/// The class with most votes, where a bad or lethal one counts `caution` times; of equal ones the more
-/// severe. `unknown` where there are no votes, or fewer than `min_votes` together: a handful of stray pixels
-/// of one event says nothing about a component.
-TerrainClass vote_label(const Votes& votes, double min_votes, double caution = 1.0);
+/// The class with most votes; of equal ones the more severe. `unknown` where there are no votes, or fewer
+/// than `min_votes` together: a handful of stray pixels of one event says nothing about a component.
+TerrainClass vote_label(const std::array<double, kLabelCount>& votes, double min_votes);
 
 /// What a saved mixture is: everything that training has to go on from.
 struct MixtureSnapshot {

@@ -71,12 +71,6 @@ TEST(VoteLabel, MostVotesWinAndTiesGoToTheMoreSevere) {
   EXPECT_EQ(vote_label({2, 2, 0}, 0), TerrainClass::bad);
 }
 
-TEST(VoteLabel, CautionWeighsBadAndLethal) {
-  EXPECT_EQ(vote_label({3, 0, 1}, 0, 3.0), TerrainClass::lethal);
-  EXPECT_EQ(vote_label({3.1, 0, 1}, 0, 3.0), TerrainClass::good);
-  EXPECT_EQ(vote_label({3, 1, 0}, 0, 3.0), TerrainClass::bad);
-}
-
 TEST(VoteLabel, NoOrTooFewVotesMeanUnknown) {
   EXPECT_EQ(vote_label({0, 0, 0}, 0), TerrainClass::unknown);
   EXPECT_EQ(vote_label({0, 0, 0.04}, 0.05), TerrainClass::unknown);
@@ -163,9 +157,7 @@ TEST(TerrainMixture, AnOrangeFenceBecomesANewLethalComponent) {
 
 TEST(TerrainMixture, GroundInALethalPatchRecoversThroughDrivenOverGround) {
   std::mt19937 random(6);
-  MixtureParams params = rgb_params();
-  params.caution = 1.0;
-  TerrainMixture mixture = started(params);
+  TerrainMixture mixture = started(rgb_params());
   Pixels patch = cloud(random, 30, 110, 240, 4, 200);
   const Pixels ground = cloud(random, 90, 120, 150, 6, 200);
   patch.insert(patch.end(), ground.begin(), ground.end());
@@ -178,9 +170,7 @@ TEST(TerrainMixture, GroundInALethalPatchRecoversThroughDrivenOverGround) {
 
 TEST(TerrainMixture, OldVotesFadeSoThatALongDriveCanBeOverruled) {
   std::mt19937 random(7);
-  MixtureParams params = rgb_params();
-  params.caution = 1.0;
-  TerrainMixture mixture = started(params);
+  TerrainMixture mixture = started(rgb_params());
   const Pixels ground = cloud(random, 90, 120, 150, 1, 50);
   for (int i = 0; i < 500; ++i) mixture.train(ground, TerrainClass::good);
   ASSERT_EQ(classify_reference(mixture, 90, 120, 150), TerrainClass::good);
