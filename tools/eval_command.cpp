@@ -5,6 +5,7 @@
 #include "tools/eval_planner_command.h"
 #include "tools/eval_slip_command.h"
 #include "tools/eval_traceback_command.h"
+#include "tools/eval_tracks_command.h"
 
 namespace hindsight::tools {
 
@@ -14,6 +15,7 @@ void add_eval(CLI::App& app, Run& run) {
   add_eval_planner(eval, run);
   add_eval_slip(eval, run);
   add_eval_traceback(eval, run);
+  add_eval_tracks(eval, run);
 }
 
 }  // namespace hindsight::tools

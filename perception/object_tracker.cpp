@@ -1,0 +1,259 @@
+// SPDX-FileCopyrightText: 2026 The Hindsight authors
+// SPDX-License-Identifier: BSD-2-Clause
+#include "perception/object_tracker.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "perception/ego_motion.h"
+
+namespace hindsight {
+namespace {
+
+constexpr float kSizeSmoothing = 0.2F;
+constexpr float kSizeFromDeviation =
+    2.0F;  ///< half the side of a uniform square over its mean absolute deviation
+constexpr float kSmallestHalf_px = 4.0F;
+/// A track may turn round while unseen, but not be anywhere.
+constexpr float kReachOfLost = 1.5F;
+constexpr double kOffItsPlace = 0.4;  ///< way that takes an object off its own place, in parts of its size
+constexpr float kHeadingShare = 0.12F;
+constexpr float kSteadyNew = 0.7F, kSteady = 0.35F;  ///< see Object::heading
+constexpr int kUnseenNew = 2;          ///< frames that an object not yet confirmed may be unseen for
+constexpr double kStraightness = 0.4;  ///< way made over way that its speed promises
+
+bool roughly_alike(Point2f a, Point2f b) {
+  const float speed = std::max(std::hypot(a.x_px, a.y_px), std::hypot(b.x_px, b.y_px));
+  return distance_px(a, b) < 1.0F + 0.6F * speed;
+}
+
+}  // namespace
+
+ObjectTracker::ObjectTracker(const ObjectTrackerParams& params, const ParticleFilterParams& filter,
+                             std::uint64_t seed, int width_px, int height_px)
+    : params_(params), random_(seed), width_px_(width_px), height_px_(height_px) {
+  objects_.reserve(static_cast<std::size_t>(params.max_tracks));
+  for (int i = 0; i < params.max_tracks; ++i) objects_.emplace_back(filter);
+  told_.reserve(objects_.size()), shown_.reserve(objects_.size());
+}
+
+void ObjectTracker::clear() {
+  for (Object& object : objects_) object.alive = false;
+  told_.clear(), shown_.clear();
+}
+
+std::span<const Track> ObjectTracker::update(const Eigen::Matrix3d& H_now_then,
+                                             std::span<const MovingFeature> features,
+                                             std::span<const MotionCluster> clusters,
+                                             std::span<const int> cluster_of, const MotionPrior* prior) {
+  predict(H_now_then, prior);
+  assign(features, cluster_of);
+  weigh(features, prior);
+  merge();
+  spawn(clusters, prior);
+  tell();
+  return told_;
+}
+
+bool ObjectTracker::inside(Point2f p) const {
+  return p.x_px >= 0.0F && p.y_px >= 0.0F && p.x_px < static_cast<float>(width_px_) &&
+         p.y_px < static_cast<float>(height_px_);
+}
+
+void ObjectTracker::predict(const Eigen::Matrix3d& H_now_then, const MotionPrior* prior) {
+  for (Object& object : objects_) {
+    if (!object.alive) continue;
+    object.filter.predict(H_now_then, prior);
+    object.place_px = transformed(H_now_then, object.place_px);
+    object.last_seen_px = transformed(H_now_then, object.last_seen_px);
+    object.track.at_px = object.filter.at_px(), object.track.v_px = object.filter.v_px();
+    object.alive = inside(object.track.at_px);
+  }
+}
+
+/// Each feature belongs to one object at most: the nearest of those that it may belong to. So two people side
+/// by side do not pull each other's particles over.
+void ObjectTracker::assign(std::span<const MovingFeature> features, std::span<const int> cluster_of) {
+  const auto near_px = static_cast<float>(params_.spawn_distance_px);
+  for (Object& object : objects_) {
+    object.cluster = -1;
+    if (!object.alive) continue;
+    float nearest_px = link_reach_px(near_px, object.track.v_px);
+
+    for (std::size_t i = 0; i < features.size(); ++i) {
+      const float d = distance_px(features[i].at_px, object.track.at_px);
+      if (d >= nearest_px || !roughly_alike(features[i].v_px, object.track.v_px)) continue;
+      nearest_px = d, object.cluster = cluster_of[i];
+    }
+  }
+  owner_.assign(features.size(), -1);
+  for (std::size_t i = 0; i < features.size(); ++i) {
+    float nearest_px = INFINITY;
+    for (std::size_t k = 0; k < objects_.size(); ++k) {
+      const Object& object = objects_[k];
+      if (!object.alive) continue;
+      const float d = distance_px(features[i].at_px, object.track.at_px);
+      if (d >= nearest_px) continue;
+      if (d > link_reach_px(near_px, object.track.v_px) && object.cluster != cluster_of[i]) continue;
+      nearest_px = d, owner_[i] = static_cast<int>(k);
+    }
+  }
+}
+
+/// Some particles go to the middle of what the object owns and moves as it does: it may have turned or sped
+/// up.
+void ObjectTracker::look_at_own(Object& object) {
+  Point2f at{}, v{};
+  float mass = 0.0F;
+  for (const MovingFeature& f : owned_) {
+    if (!roughly_alike(f.v_px, object.track.v_px)) continue;
+    at.x_px += f.probability * f.at_px.x_px, at.y_px += f.probability * f.at_px.y_px;
+    v.x_px += f.probability * f.v_px.x_px, v.y_px += f.probability * f.v_px.y_px;
+    mass += f.probability;
+  }
+  if (mass > 0.0F) object.filter.look_at({at.x_px / mass, at.y_px / mass}, {v.x_px / mass, v.y_px / mass});
+}
+
+void ObjectTracker::weigh(std::span<const MovingFeature> features, const MotionPrior* prior) {
+  for (std::size_t k = 0; k < objects_.size(); ++k) {
+    Object& object = objects_[k];
+    if (!object.alive) continue;
+    owned_.clear();
+    for (std::size_t i = 0; i < features.size(); ++i) {
+      if (owner_[i] == static_cast<int>(k)) owned_.push_back(features[i]);
+    }
+    Track& track = object.track;
+    ++track.age_frames;
+    const double half_px = 0.25F * (track.half_size_px.x_px + track.half_size_px.y_px);
+    look_at_own(object);
+    track.support =
+        object.filter.weigh(owned_, half_px, prior) * static_cast<double>(object.filter.particles().size());
+    const bool seen = !owned_.empty() && track.support >= params_.kill_weight;
+    track.unseen_frames = seen ? 0 : track.unseen_frames + 1;
+    if (seen) {
+      object.filter.resample();
+      ++object.seen_frames;
+      track.at_px = object.last_seen_px = object.filter.at_px();
+      track.v_px = object.filter.v_px();
+      Point2f deviation{};
+      for (const MovingFeature& f : owned_) {
+        deviation.x_px += std::abs(f.at_px.x_px - track.at_px.x_px) / static_cast<float>(owned_.size());
+        deviation.y_px += std::abs(f.at_px.y_px - track.at_px.y_px) / static_cast<float>(owned_.size());
+      }
+      const auto smooth = [](float& half, float value) {
+        half += kSizeSmoothing * (std::max(kSmallestHalf_px, kSizeFromDeviation * value) - half);
+      };
+      smooth(track.half_size_px.x_px, deviation.x_px), smooth(track.half_size_px.y_px, deviation.y_px);
+    }
+    Point2f way{};
+    if (const float speed = std::hypot(track.v_px.x_px, track.v_px.y_px); seen && speed > 0.0F) {
+      way = {track.v_px.x_px / speed, track.v_px.y_px / speed};
+    }
+    const float share = std::max(kHeadingShare, 1.0F / static_cast<float>(track.age_frames));
+    object.heading.x_px += share * (way.x_px - object.heading.x_px);
+    object.heading.y_px += share * (way.y_px - object.heading.y_px);
+    judge(object);
+  }
+}
+
+float ObjectTracker::steadiness(const Object& object) {
+  return std::hypot(object.heading.x_px, object.heading.y_px);
+}
+
+/// Errors of the flow point anywhere, and are gone in the next frame. What covers and uncovers the ground
+/// seems to move, but stays. What moves gets off its place.
+void ObjectTracker::judge(Object& object) {
+  const Track& track = object.track;
+  const double way_px = distance_px(track.at_px, object.place_px);
+  const double size_px = track.half_size_px.x_px + track.half_size_px.y_px;
+  const bool off_its_place =
+      track.unseen_frames == 0 && way_px >= std::max(params_.confirm_travel_px, kOffItsPlace * size_px);
+  ++object.dwell_frames;
+  if (!object.confirmed) {
+    const double promised_px =
+        std::hypot(track.v_px.x_px, track.v_px.y_px) * static_cast<float>(track.age_frames);
+    object.confirmed = off_its_place && object.seen_frames >= params_.confirm_frames &&
+                       way_px >= kStraightness * promised_px && steadiness(object) >= kSteadyNew;
+    object.alive = object.confirmed ||
+                   (track.unseen_frames <= kUnseenNew && object.dwell_frames <= params_.dwell_frames);
+  }
+  if (object.confirmed && off_its_place) object.place_px = track.at_px, object.dwell_frames = 0;
+  if (track.unseen_frames > params_.forget_frames) object.alive = false;
+}
+
+/// The younger of two that coincide ends.
+void ObjectTracker::merge() {
+  for (Object& a : objects_) {
+    for (Object& b : objects_) {
+      if (&a == &b || !a.alive || !b.alive || a.track.id > b.track.id || a.track.unseen_frames > 0) continue;
+      const float reach_px = link_reach_px(static_cast<float>(params_.merge_distance_px), a.track.v_px);
+      const bool one = a.cluster >= 0 && a.cluster == b.cluster && !b.confirmed;
+      if (roughly_alike(a.track.v_px, b.track.v_px) &&
+          (one || distance_px(a.track.at_px, b.track.at_px) < reach_px)) {
+        b.alive = false;
+      }
+    }
+  }
+}
+
+bool ObjectTracker::claimed(std::size_t cluster, const MotionCluster& peak) const {
+  return std::any_of(objects_.begin(), objects_.end(), [&](const Object& object) {
+    if (!object.alive || object.track.unseen_frames > 0) return false;
+    return object.cluster == static_cast<int>(cluster) ||
+           distance_px(object.track.at_px, peak.at_px) < static_cast<float>(params_.spawn_distance_px);
+  });
+}
+
+/// A confirmed object that was lost where this peak is, or where it would be by now.
+ObjectTracker::Object* ObjectTracker::lost_near(const MotionCluster& peak) {
+  Object* best = nullptr;
+  float nearest_px = kReachOfLost * static_cast<float>(params_.spawn_distance_px);
+  for (Object& object : objects_) {
+    if (!object.alive || object.track.unseen_frames == 0) continue;
+    const float d =
+        std::min(distance_px(object.track.at_px, peak.at_px), distance_px(object.last_seen_px, peak.at_px));
+    if (d < nearest_px) best = &object, nearest_px = d;
+  }
+  return best;
+}
+
+void ObjectTracker::spawn(std::span<const MotionCluster> clusters, const MotionPrior*) {
+  for (std::size_t c = 0; c < clusters.size(); ++c) {
+    const MotionCluster& peak = clusters[c];
+    if (peak.mass < params_.spawn_mass || claimed(c, peak)) continue;
+    Object* object = lost_near(peak);
+    if (object == nullptr) {
+      const auto free =
+          std::find_if(objects_.begin(), objects_.end(), [](const Object& o) { return !o.alive; });
+      if (free == objects_.end()) return;
+      object = &*free;
+      object->alive = true, object->confirmed = false;
+      object->seen_frames = object->dwell_frames = 0;
+      object->heading = {};
+      object->place_px = peak.at_px;
+      object->track = {};
+      object->track.id = next_id_++;
+      object->track.half_size_px = {kSmallestHalf_px, kSmallestHalf_px};
+    }
+    object->filter.start(peak.at_px, peak.v_px, cv::RNG(random_.next()));
+    object->cluster = static_cast<int>(c);
+    object->place_px = peak.at_px;  // having been found again elsewhere is no way made
+    object->track.at_px = object->last_seen_px = object->filter.at_px();
+    object->track.v_px = object->filter.v_px();
+    object->track.unseen_frames = 0;
+  }
+}
+
+void ObjectTracker::tell() {
+  told_.clear(), shown_.clear();
+  for (std::size_t k = 0; k < objects_.size(); ++k) {
+    const Object& object = objects_[k];
+    if (!object.alive || !object.confirmed || object.track.unseen_frames > params_.coast_frames) continue;
+    if (object.dwell_frames <= params_.dwell_frames && steadiness(object) >= kSteady) shown_.push_back(k);
+  }
+  std::sort(shown_.begin(), shown_.end(),
+            [this](std::size_t a, std::size_t b) { return objects_[a].track.id < objects_[b].track.id; });
+  for (const std::size_t k : shown_) told_.push_back(objects_[k].track);
+}
+
+}  // namespace hindsight
