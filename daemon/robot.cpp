@@ -24,7 +24,9 @@ Robot::Robot(const RobotSetup& setup)
                  configuration_.evidence_grid.resolution_m),
       failsafe_(configuration_.failsafe),
       telemetry_(configuration_),
-      mode_(configuration_.robot.mode == "drive" ? Mode::drive : Mode::watch) {}
+      mode_(configuration_.robot.mode == "drive" ? Mode::drive : Mode::watch) {
+  if (configuration_.motion.enabled) motion_.emplace(configuration_, setup.camera);
+}
 
 Decision Robot::step(const TickInput& input, Outbox& outbox) {
   sensed_ = senses_.update(input);
@@ -80,6 +82,7 @@ void Robot::obey(const TickInput& input) {
 
 bool Robot::see_and_learn(const TickInput& input) {
   const bool new_frame = input.frame && sight_.see(*input.frame);
+  if (new_frame && motion_) motion_->see(sight_.vectors(), localisation_.estimate().X_WB);
   if (new_frame) learner_.start(*input.frame);
   learner_.learn(training_input(new_frame), sight_);
   if (new_frame) sight_.classify(*input.frame, learner_.mixture());
@@ -152,6 +155,7 @@ void Robot::publish(const TickInput& input, bool new_frame, const Decision& deci
                       .slip = senses_.slip_detector(),
                       .sight = sight_,
                       .learner = learner_,
+                      .motion = motion(),
                       .grid = grid_,
                       .plan = plan_,
                       .goal_W = goal_W_},

@@ -13,6 +13,7 @@
 #include "daemon/failsafe.h"
 #include "daemon/learner.h"
 #include "daemon/mode.h"
+#include "daemon/motion_sense.h"
 #include "daemon/outbox.h"
 #include "daemon/reflex.h"
 #include "daemon/robot_config.h"
@@ -52,6 +53,8 @@ class Robot {
   const Senses& senses() const { return senses_; }
   const Sight& sight() const { return sight_; }
   const Learner& learner() const { return learner_; }
+  /// Null where it is not enabled.
+  const MotionSense* motion() const { return motion_ ? &*motion_ : nullptr; }
   const EvidenceGrid& grid() const { return grid_; }
   const Localisation& localisation() const { return localisation_; }
   const NavigatorOutput& plan() const { return plan_; }
@@ -72,6 +75,7 @@ class Robot {
   Localisation localisation_;
   Sight sight_;
   Learner learner_;
+  std::optional<MotionSense> motion_;
   EvidenceGrid grid_;
   std::vector<CellCost> window_costs_;
   Navigator navigator_;

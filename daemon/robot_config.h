@@ -17,11 +17,13 @@
 #include "drivers/gpsd_client.h"
 #include "drivers/socketcan_bus.h"
 #include "drivers/v4l2_camera.h"
+#include "perception/activity_map.h"
 #include "perception/appearance_history.h"
 #include "perception/bottom_finder.h"
 #include "perception/evidence_grid.h"
 #include "perception/flow_history.h"
 #include "perception/localisation_params.h"
+#include "perception/motion_tracker.h"
 #include "perception/optical_flow_params.h"
 #include "perception/slip_detector.h"
 #include "perception/terrain_mixture.h"
@@ -102,6 +104,8 @@ struct Configuration {
   BottomFinderParams bottom_finder;
   EvidenceGridParams evidence_grid;
   SlipDetectorParams slip;
+  MotionParams motion;
+  ActivityMapParams activity_map;
   PlanningParams planning;
 
   void visit(auto&& section) {
@@ -128,6 +132,8 @@ struct Configuration {
     section("bottom_finder", bottom_finder);
     section("evidence_grid", evidence_grid);
     section("slip", slip);
+    section("motion", motion);
+    section("activity_map", activity_map);
     section("cost_map", planning.cost_map);
     section("rollouts", planning.rollouts);
     section("behaviours", planning.behaviours);

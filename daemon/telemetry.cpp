@@ -3,7 +3,10 @@
 #include "daemon/telemetry.h"
 
 #include <bot_core/pose_t.hpp>
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <hindsight/activity_map_t.hpp>
 #include <hindsight/grid_t.hpp>
 #include <hindsight/mixture_t.hpp>
 #include <hindsight/perception_t.hpp>
@@ -11,6 +14,7 @@
 #include <hindsight/slip_t.hpp>
 #include <hindsight/state_t.hpp>
 #include <hindsight/timing_t.hpp>
+#include <hindsight/tracks_t.hpp>
 #include <hindsight/training_t.hpp>
 #include <limits>
 
@@ -20,6 +24,8 @@ namespace {
 /// Room for a path that winds through the whole of a large window.
 constexpr std::size_t kLongestPath = 8192;
 constexpr std::size_t kMostRollouts = 512;
+constexpr std::uint64_t kActivityEveryTicks = 50;
+constexpr std::size_t kMostActivityCells = 2000;  ///< that fit into a message
 
 template <typename To, typename From>
 To number(From value) {
@@ -62,6 +68,8 @@ struct Telemetry::Messages {
   plan_t plan{};
   slip_t slip{};
   timing_t timing{};
+  tracks_t tracks{};
+  activity_map_t activity{};
 };
 
 Telemetry::Telemetry(const Configuration& configuration)
@@ -69,6 +77,13 @@ Telemetry::Telemetry(const Configuration& configuration)
   plan_t& plan = messages_->plan;
   for (auto* path : {&plan.path_east_m, &plan.path_north_m}) path->reserve(kLongestPath);
   for (auto* rollouts : {&plan.end_east_m, &plan.end_north_m, &plan.score}) rollouts->reserve(kMostRollouts);
+  if (configuration.motion.enabled) {
+    activity_map_t& activity = messages_->activity;
+    messages_->tracks.tracks.reserve(number<std::size_t>(configuration.motion.tracker.max_tracks));
+    for (auto* list : {&activity.column, &activity.row}) list->reserve(kMostActivityCells);
+    for (auto* list : {&activity.speed_m, &activity.direction_rad, &activity.share}) list->reserve(kMostActivityCells);
+    activity.total.reserve(kMostActivityCells);
+  }
   messages_->mixture.components.reserve(number<std::size_t>(configuration.mixture.max_components));
   messages_->mixture.color_space = configuration.mixture.color_space;
 }
@@ -84,6 +99,8 @@ void Telemetry::publish(const TickReport& tick, Outbox& outbox) {
   if (tick.input.index % number<std::uint64_t>(params_.grid_every_ticks) == 0) publish_grid(tick, outbox);
   if (tick.goal_W) publish_plan(tick, outbox);
   publish_slip(tick, outbox);
+  if (tick.motion != nullptr && tick.new_frame) publish_tracks(tick, outbox);
+  if (tick.motion != nullptr && tick.input.index % kActivityEveryTicks == 0) publish_activity(tick, outbox);
   publish_timing(tick, outbox);
 }
 
@@ -263,6 +280,58 @@ void Telemetry::publish_slip(const TickReport& tick, Outbox& outbox) {
   m.left.assign(left.begin(), left.end());
   m.right.assign(right.begin(), right.end());
   outbox.add("HINDSIGHT_SLIP", m.utime, m);
+}
+
+void Telemetry::publish_tracks(const TickReport& tick, Outbox& outbox) {
+  tracks_t& m = messages_->tracks;
+  const MotionReport& report = tick.motion->report();
+  m.utime = tick.input.utime_us;
+  m.tick = number<std::int64_t>(tick.input.index);
+  m.gap_frames = number<std::int8_t>(report.gap_frames);
+  m.noise_px = number<float>(report.compared.noise_px);
+  m.moving_features = number<std::int32_t>(report.features.size());
+  m.parallax_features = number<std::int32_t>(report.parallax_features);
+  m.size = number<std::int16_t>(report.tracks.size());
+  m.tracks.resize(report.tracks.size());
+  for (std::size_t i = 0; i < m.tracks.size(); ++i) {
+    const Track& from = report.tracks[i];
+    track_t& to = m.tracks[i];
+    to.id = from.id;
+    to.at_px[0] = from.at_px.x_px, to.at_px[1] = from.at_px.y_px;
+    to.v_px[0] = from.v_px.x_px, to.v_px[1] = from.v_px.y_px;
+    to.half_size_px[0] = from.half_size_px.x_px, to.half_size_px[1] = from.half_size_px.y_px;
+    to.age_frames = from.age_frames, to.unseen_frames = number<std::int16_t>(from.unseen_frames);
+    const GroundMotion& ground = tick.motion->on_ground()[i];
+    to.position_m[0] = ground.p_W_m.x(), to.position_m[1] = ground.p_W_m.y();
+  }
+  outbox.add("HINDSIGHT_TRACKS", m.utime, m);
+}
+
+/// Only when something new is in it. Of more cells than fit, those that have been active for the longest time.
+void Telemetry::publish_activity(const TickReport& tick, Outbox& outbox) {
+  const ActivityMap& map = tick.motion->map();
+  if (map.total() == activity_total_) return;
+  activity_total_ = map.total();
+  activity_map_t& m = messages_->activity;
+  m.utime = tick.input.utime_us;
+  m.tick = number<std::int64_t>(tick.input.index);
+  m.cell_m = number<float>(map.cell());
+  m.size = number<std::int16_t>(std::min(kMostActivityCells, map.active().size()));
+  for (auto* list : {&m.column, &m.row}) list->resize(number<std::size_t>(m.size));
+  for (auto* list : {&m.speed_m, &m.direction_rad, &m.share}) list->resize(number<std::size_t>(m.size));
+  m.total.resize(number<std::size_t>(m.size));
+  for (std::size_t i = 0; i < m.total.size(); ++i) {
+    const ActivityMap::ActiveCell& cell = map.active()[i];
+    std::array<ActivityMode, 1> mode{};
+    find_modes(map, i, mode);
+    m.column[i] = number<std::int16_t>(cell.column - map.cells() / 2);
+    m.row[i] = number<std::int16_t>(cell.row - map.cells() / 2);
+    m.total[i] = number<std::int32_t>(cell.total);
+    m.speed_m[i] = number<float>(mode[0].speed);
+    m.direction_rad[i] = number<float>(mode[0].direction_rad);
+    m.share[i] = number<float>(mode[0].share);
+  }
+  outbox.add("HINDSIGHT_ACTIVITY", m.utime, m);
 }
 
 void Telemetry::publish_timing(const TickReport& tick, Outbox& outbox) {

@@ -7,6 +7,7 @@
 
 #include "daemon/learner.h"
 #include "daemon/mode.h"
+#include "daemon/motion_sense.h"
 #include "daemon/outbox.h"
 #include "daemon/reflex.h"
 #include "daemon/robot_config.h"
@@ -32,6 +33,7 @@ struct TickReport {
   const SlipDetector& slip;
   const Sight& sight;
   const Learner& learner;
+  const MotionSense* motion;  ///< null: not enabled
   const EvidenceGrid& grid;
   const NavigatorOutput& plan;
   const std::optional<Point2>& goal_W;
@@ -56,11 +58,14 @@ class Telemetry {
   void publish_grid(const TickReport& tick, Outbox& outbox);
   void publish_plan(const TickReport& tick, Outbox& outbox);
   void publish_slip(const TickReport& tick, Outbox& outbox);
+  void publish_tracks(const TickReport& tick, Outbox& outbox);
+  void publish_activity(const TickReport& tick, Outbox& outbox);
   void publish_timing(const TickReport& tick, Outbox& outbox);
 
   TelemetryParams params_;
   std::unique_ptr<Messages> messages_;
   std::uint64_t mixture_version_ = 0;
+  std::uint64_t activity_total_ = 0;
 };
 
 }  // namespace hindsight

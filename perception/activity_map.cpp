@@ -18,23 +18,21 @@ std::size_t index_of(int speed, int direction) {
 
 ActivityMap::ActivityMap(const ActivityMapParams& params)
     : params_(params),
-      slot_(static_cast<std::size_t>(params.activity_cells) * static_cast<std::size_t>(params.activity_cells),
-            -1) {
+      slot_(static_cast<std::size_t>(params.cells) * static_cast<std::size_t>(params.cells), -1) {
   active_.reserve(kMostActiveCells);
   counts_.resize(kMostActiveCells * kBins);
 }
 
 void ActivityMap::cell_of(const Eigen::Vector2d& p_G, int& column, int& row) const {
   const auto at = [this](double x) {
-    return static_cast<int>(std::floor(std::clamp(x / params_.activity_cell, -1e6, 1e6))) +
-           params_.activity_cells / 2;
+    return static_cast<int>(std::floor(std::clamp(x / params_.cell, -1e6, 1e6))) + params_.cells / 2;
   };
   column = at(p_G.x()), row = at(p_G.y());
 }
 
 Eigen::Vector2d ActivityMap::middle_of(int column, int row) const {
-  const double half = params_.activity_cells / 2;
-  return {(column - half + 0.5) * params_.activity_cell, (row - half + 0.5) * params_.activity_cell};
+  const double half = params_.cells / 2;
+  return {(column - half + 0.5) * params_.cell, (row - half + 0.5) * params_.cell};
 }
 
 int ActivityMap::find(int column, int row) const {

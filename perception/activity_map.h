@@ -14,18 +14,17 @@
 
 namespace hindsight {
 
+/// Metres here, for the daemon; where the ground's frame is a picture plane, pixels.
 struct ActivityMapParams {
-  double activity_cell = 16.0;
-  int activity_cells = 256;
-  double activity_max_speed = 12.0;
+  double cell = 1.0;
+  int cells = 256;
+  double max_speed = 1.5;
 
   void visit(auto&& param) {
-    param("activity_cell", activity_cell, Range{0.01, 1000.0},
-          "side of a cell of the activity map [px of its first frame; in the daemon: m / 16]");
-    param("activity_cells", activity_cells, Range{8, 1024}, "cells along each side of the map");
-    param("activity_max_speed", activity_max_speed, Range{0.001, 1000.0},
-          "speed at which the last of the 30 bins begins to hold all that is faster [unit of the cell / "
-          "frame]");
+    param("cell", cell, Range{0.01, 1000.0}, "side of a cell of the activity map [m]");
+    param("cells", cells, Range{8, 1024}, "cells along each side of the map");
+    param("max_speed", max_speed, Range{0.001, 1000.0},
+          "the last of the 30 bins of speed holds all that is faster [m/frame]");
   }
 };
 
@@ -65,9 +64,9 @@ class ActivityMap {
   void cell_of(const Eigen::Vector2d& p_G, int& column, int& row) const;
   Eigen::Vector2d middle_of(int column, int row) const;
 
-  double cell() const { return params_.activity_cell; }
-  int cells() const { return params_.activity_cells; }
-  double speed_per_bin() const { return params_.activity_max_speed / (kSpeeds - 1); }
+  double cell() const { return params_.cell; }
+  int cells() const { return params_.cells; }
+  double speed_per_bin() const { return params_.max_speed / (kSpeeds - 1); }
   static double direction_of_bin(int bin) { return (bin + 0.5) * 2.0 * M_PI / kDirections; }
   std::uint64_t total() const { return total_; }
   std::uint64_t lost() const { return lost_; }

@@ -18,6 +18,7 @@ constexpr std::size_t kJudges = 150;  ///< features that judge a sample
 /// Coordinates about the middle of the image and near 1, which keeps the normal equations well conditioned.
 constexpr double kScale_px = 300.0;
 /// Residuals of a normal distribution in two axes are Rayleigh: its median and upper quartile.
+constexpr double kMostTail = 1.5;
 constexpr double kRayleighMedian = 1.1774, kRayleighQuartile = 1.6651;
 
 using Normal = Eigen::Matrix<double, 8, 8>;
@@ -119,7 +120,8 @@ EgoMotion EgoMotionEstimator::estimate(std::span<const PointPair> pairs, std::sp
   double sum = 0.0;
   for (const float w : weight_) sum += w;
   motion.static_share = sum / static_cast<double>(pairs.size());
-  motion.valid = motion.H_then_now.allFinite() && motion.static_share >= 0.5;
+  motion.valid = motion.H_then_now.allFinite() && motion.static_share >= 0.5 &&
+                 motion.residual_px <= params_.max_residual_px;
   if (!motion.valid) return motion;
   for (std::size_t i = 0; i < pairs.size(); ++i) p_moving[i] = 1.0F - weight_[i];
   return motion;
@@ -168,8 +170,8 @@ void EgoMotionEstimator::measure_residuals(std::span<const PointPair> pairs, con
   }
 }
 
-/// The larger of what the median and the upper quartile say: parallax makes the second large, and up to a
-/// quarter of the features may move by themselves.
+/// What the upper quartile says, which parallax makes larger than the median does; but not much more than that, since
+/// more than a quarter of the features may move by themselves.
 double EgoMotionEstimator::robust_deviation_px() {
   sorted_px2_ = residual2_px2_;
   const auto at = [this](double part) {
@@ -177,7 +179,8 @@ double EgoMotionEstimator::robust_deviation_px() {
     std::nth_element(sorted_px2_.begin(), sorted_px2_.begin() + rank, sorted_px2_.end());
     return std::sqrt(static_cast<double>(sorted_px2_[static_cast<std::size_t>(rank)]));
   };
-  return std::max(at(0.5) / kRayleighMedian, at(0.75) / kRayleighQuartile);
+  const double by_half = at(0.5) / kRayleighMedian;
+  return std::clamp(at(0.75) / kRayleighQuartile, by_half, kMostTail * by_half);
 }
 
 /// (3.2) and (3.3).

@@ -29,6 +29,7 @@ struct EgoMotionParams {
   double noise_px = 0.0;
   double noise_factor = 2.5;
   double min_noise_px = 0.1;
+  double max_residual_px = 4.0;
   int iterations = 6;
 
   void visit(auto&& param) {
@@ -42,6 +43,9 @@ struct EgoMotionParams {
           "deviation of a static feature in each axis; 0: noise_factor x what the residuals show [px]");
     param("noise_factor", noise_factor, Range{0.5, 10.0}, "see noise_px");
     param("min_noise_px", min_noise_px, Range{0.01, 5.0}, "least deviation assumed [px]");
+    param(
+        "max_residual_px", max_residual_px, Range{0.1, 1000.0},
+        "frames whose features fit one motion no better than this have nothing to do with one another [px]");
     param("em_iterations", iterations, Range{1, 50}, "of expectation and maximisation");
   }
 };
@@ -49,7 +53,7 @@ struct EgoMotionParams {
 /// How the image of the ground moved.
 struct EgoMotion {
   Eigen::Matrix3d H_then_now = Eigen::Matrix3d::Identity();  ///< homogeneous points of now to those of then
-  double residual_px = 0.0;   ///< deviation in each axis of the features' better half and three quarters
+  double residual_px = 0.0;   ///< deviation of the static features in each axis, as residuals show it
   double noise_px = 0.0;      ///< deviation that static features were given
   double static_share = 0.0;  ///< mean of p(c = 0)
   bool valid = false;         ///< false: too few features, or no motion that at least half of them agree on

@@ -4,9 +4,8 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <bit>
+#include <array>
 #include <cmath>
-#include <cstdint>
 #include <opencv2/core.hpp>
 
 #include "perception/motion_feature.h"
@@ -16,18 +15,18 @@ namespace {
 
 constexpr int kSamples = 60;
 constexpr std::size_t kFewest = 6;
-constexpr int kTiles = 8;       ///< a side
+
 constexpr float kAside = 0.8F;  ///< of noise_px: how far beside the line to the epipole a residual may point
 constexpr float kEdge_px = 16.0F;
 constexpr int kNeighbours = 2;
 constexpr float kLonger = 2.0F;  ///< than the scene's mean residual: no edge of it moves so
-constexpr int kPlaces = 3;       ///< tiles that a scene must be seen in
+constexpr int kPlaces = 3;       ///< that a scene must be seen in: any two residuals agree on some epipole
+constexpr float kPlacesAcross = 8.0F;  ///< two places are an eighth of the picture's width apart or more
 
 }  // namespace
 
 /// Those that seem to move, or nearly so, as something above the plane would.
-void ParallaxLayer::collect(std::span<const PointPair> pairs, const EgoMotion& motion, int width_px,
-                            int height_px) {
+void ParallaxLayer::collect(std::span<const PointPair> pairs, const EgoMotion& motion) {
   residuals_.clear();
   const auto part = static_cast<float>(params_.parallax_part), noise_px = static_cast<float>(motion.noise_px);
   for (std::size_t i = 0; i < pairs.size(); ++i) {
@@ -39,11 +38,8 @@ void ParallaxLayer::collect(std::span<const PointPair> pairs, const EgoMotion& m
     const Eigen::Vector3f line =
         Eigen::Vector3f(on_plane.x_px, on_plane.y_px, 1.0F)
             .cross(Eigen::Vector3f(pairs[i].then_px.x_px, pairs[i].then_px.y_px, 1.0F));
-    const auto tile = [](float at, int size) {
-      return std::clamp(static_cast<int>(at) * kTiles / size, 0, kTiles - 1);
-    };
-    residuals_.push_back({above ? Verdict::open : Verdict::against, i, on_plane, r, line,
-                          tile(on_plane.y_px, height_px) * kTiles + tile(on_plane.x_px, width_px)});
+
+    residuals_.push_back({above ? Verdict::open : Verdict::against, i, on_plane, r, line});
   }
 }
 
@@ -55,6 +51,23 @@ bool ParallaxLayer::agrees(const Residual& residual, const Eigen::Vector3f& epip
   const float length = d.norm();
   if (residual.verdict == Verdict::against || !(length > 0.0F) || d.dot(residual.r_px) <= 0.0F) return false;
   return std::abs(d.x() * residual.r_px.y() - d.y() * residual.r_px.x()) <= kAside * noise_px * length;
+}
+
+/// Of the agreeing residuals, how many lie apart from one another; counts no further than is asked for.
+int ParallaxLayer::count_places(const Eigen::Vector3f& epipole, float sign, float noise_px,
+                                float apart_px) const {
+  std::array<Point2f, kPlaces> places;
+  int count = 0;
+  for (const Residual& r : residuals_) {
+    if (count == kPlaces) break;
+    const auto end = places.begin() + count;
+    if (!agrees(r, epipole, sign, noise_px) ||
+        std::any_of(places.begin(), end, [&](Point2f p) { return distance_px(p, r.at_px) < apart_px; })) {
+      continue;
+    }
+    places[static_cast<std::size_t>(count++)] = r.at_px;
+  }
+  return count;
 }
 
 /// Where a roof's edge covers and uncovers the ground, corners are made of both, and move as neither does.
@@ -69,9 +82,9 @@ void ParallaxLayer::excuse_edges(float longest_px, std::span<float> p_moving) co
 }
 
 std::size_t ParallaxLayer::excuse(std::span<const PointPair> pairs, const EgoMotion& motion, int width_px,
-                                  int height_px, std::span<float> p_moving) {
+                                  std::span<float> p_moving) {
   if (params_.parallax_part <= 0.0 || !motion.valid) return 0;
-  collect(pairs, motion, width_px, height_px);
+  collect(pairs, motion);
   if (residuals_.size() < kFewest) return 0;
   const auto noise_px = static_cast<float>(motion.noise_px);
   cv::RNG random(19980600);
@@ -94,13 +107,11 @@ std::size_t ParallaxLayer::excuse(std::span<const PointPair> pairs, const EgoMot
       if (agreeing > most) most = agreeing, best_epipole = epipole, best_sign = sign;
     }
   }
-  std::uint64_t tiles = 0;
-  for (const Residual& r : residuals_) {
-    if (agrees(r, best_epipole, best_sign, noise_px)) tiles |= std::uint64_t{1} << r.tile;
-  }
+  const int places =
+      count_places(best_epipole, best_sign, noise_px, static_cast<float>(width_px) / kPlacesAcross);
   const bool large =
       static_cast<double>(most) >= params_.parallax_features * static_cast<double>(pairs.size());
-  if (most < kFewest || (!large && std::popcount(tiles) < kPlaces)) return 0;
+  if (most < kFewest || (!large && places < kPlaces)) return 0;
   float length_px = 0.0F;
   for (Residual& r : residuals_) {
     if (!agrees(r, best_epipole, best_sign, noise_px)) continue;

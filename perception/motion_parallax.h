@@ -16,7 +16,7 @@ namespace hindsight {
 
 struct ParallaxParams {
   double parallax_part = 0.5;
-  double parallax_features = 0.04;
+  double parallax_features = 0.08;
 
   void visit(auto&& param) {
     param("parallax_part", parallax_part, Range{0.0, 10.0},
@@ -40,7 +40,7 @@ class ParallaxLayer {
   explicit ParallaxLayer(const ParallaxParams& params) : params_(params) {}
 
   /// Sets p_moving of features that parallax explains to 0; returns how many.
-  std::size_t excuse(std::span<const PointPair> pairs, const EgoMotion& motion, int width_px, int height_px,
+  std::size_t excuse(std::span<const PointPair> pairs, const EgoMotion& motion, int width_px,
                      std::span<float> p_moving);
 
  private:
@@ -55,9 +55,9 @@ class ParallaxLayer {
     Point2f at_px;  ///< where the plane's motion takes it
     Eigen::Vector2f r_px;
     Eigen::Vector3f line;
-    int tile;
   };
-  void collect(std::span<const PointPair> pairs, const EgoMotion& motion, int width_px, int height_px);
+  void collect(std::span<const PointPair> pairs, const EgoMotion& motion);
+  int count_places(const Eigen::Vector3f& epipole, float sign, float noise_px, float apart_px) const;
   void excuse_edges(float longest_px, std::span<float> p_moving) const;
   bool agrees(const Residual& residual, const Eigen::Vector3f& epipole, float sign, float noise_px) const;
 

@@ -19,7 +19,6 @@ constexpr double kFewestShare = 0.3;  ///< of the features that one frame back h
 MotionTracker::MotionTracker(const MotionParams& params, int width_px, int height_px, std::size_t max_vectors)
     : params_(params),
       width_px_(width_px),
-      height_px_(height_px),
       chains_(width_px, height_px, params.chain_reach_px, max_vectors),
       estimator_(params.ego, max_vectors),
       parallax_(params.parallax),
@@ -99,7 +98,7 @@ int MotionTracker::choose_gap(int longest) const {
 
 void MotionTracker::collect_features(int gap) {
   if (gap == 1) compare_over(1);  // the survey has overwritten it
-  report_.parallax_features = parallax_.excuse(pairs_, report_.compared, width_px_, height_px_, p_moving_);
+  report_.parallax_features = parallax_.excuse(pairs_, report_.compared, width_px_, p_moving_);
   const Eigen::Matrix3d H_now_then = report_.compared.H_then_now.inverse();
   for (std::size_t i = 0; i < pairs_.size(); ++i) {
     if (p_moving_[i] < 0.5F) continue;

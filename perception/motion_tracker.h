@@ -79,7 +79,7 @@ class MotionTracker {
   void collect_features(int gap);
 
   MotionParams params_;
-  int width_px_, height_px_;
+  int width_px_;
   FlowChains chains_;
   EgoMotionEstimator estimator_;
   ParallaxLayer parallax_;

@@ -17,6 +17,7 @@ constexpr float kSmallestHalf_px = 4.0F;
 /// A track may turn round while unseen, but not be anywhere.
 constexpr float kReachOfLost = 1.5F;
 constexpr double kOffItsPlace = 0.4;  ///< way that takes an object off its own place, in parts of its size
+constexpr double kUsualShare = 50.0;  ///< a bin of p(v, theta) that holds a fiftieth is as usual as can be
 constexpr float kHeadingShare = 0.12F;
 constexpr float kSteadyNew = 0.7F, kSteady = 0.35F;  ///< see Object::heading
 constexpr int kUnseenNew = 2;          ///< frames that an object not yet confirmed may be unseen for
@@ -152,7 +153,7 @@ void ObjectTracker::weigh(std::span<const MovingFeature> features, const MotionP
     const float share = std::max(kHeadingShare, 1.0F / static_cast<float>(track.age_frames));
     object.heading.x_px += share * (way.x_px - object.heading.x_px);
     object.heading.y_px += share * (way.y_px - object.heading.y_px);
-    judge(object);
+    judge(object, expected(track.at_px, track.v_px, prior));
   }
 }
 
@@ -162,12 +163,13 @@ float ObjectTracker::steadiness(const Object& object) {
 
 /// Errors of the flow point anywhere, and are gone in the next frame. What covers and uncovers the ground
 /// seems to move, but stays. What moves gets off its place.
-void ObjectTracker::judge(Object& object) {
+void ObjectTracker::judge(Object& object, double trust) {
   const Track& track = object.track;
   const double way_px = distance_px(track.at_px, object.place_px);
   const double size_px = track.half_size_px.x_px + track.half_size_px.y_px;
   const bool off_its_place =
-      track.unseen_frames == 0 && way_px >= std::max(params_.confirm_travel_px, kOffItsPlace * size_px);
+      track.unseen_frames == 0 &&
+      way_px >= (1.5 - trust) * std::max(params_.confirm_travel_px, kOffItsPlace * size_px);
   ++object.dwell_frames;
   if (!object.confirmed) {
     const double promised_px =
@@ -217,10 +219,19 @@ ObjectTracker::Object* ObjectTracker::lost_near(const MotionCluster& peak) {
   return best;
 }
 
-void ObjectTracker::spawn(std::span<const MotionCluster> clusters, const MotionPrior*) {
+/// What moves where and as things usually do is believed sooner; what moves where nothing was ever seen to,
+/// later.
+double ObjectTracker::expected(Point2f at_px, Point2f v_px, const MotionPrior* prior) {
+  if (prior == nullptr) return 0.5;
+  const double usual = std::min(1.0, kUsualShare * prior->probability(at_px, v_px));
+  return 0.5 * prior->activity(at_px) + 0.5 * usual;
+}
+
+void ObjectTracker::spawn(std::span<const MotionCluster> clusters, const MotionPrior* prior) {
   for (std::size_t c = 0; c < clusters.size(); ++c) {
     const MotionCluster& peak = clusters[c];
-    if (peak.mass < params_.spawn_mass || claimed(c, peak)) continue;
+    const double trust = expected(peak.at_px, peak.v_px, prior);
+    if (peak.mass < params_.spawn_mass * (1.5 - trust) || claimed(c, peak)) continue;
     Object* object = lost_near(peak);
     if (object == nullptr) {
       const auto free =

@@ -98,7 +98,8 @@ class ObjectTracker {
   void assign(std::span<const MovingFeature> features, std::span<const int> cluster_of);
   void weigh(std::span<const MovingFeature> features, const MotionPrior* prior);
   void look_at_own(Object& object);
-  void judge(Object& object);
+  void judge(Object& object, double trust);
+  static double expected(Point2f at_px, Point2f v_px, const MotionPrior* prior);
   void merge();
   static float steadiness(const Object& object);
   void spawn(std::span<const MotionCluster> clusters, const MotionPrior* prior);

@@ -34,6 +34,8 @@ class OpticalFlow {
 
   /// The corners of the newest frame, tracked or not, strongest first.
   std::span<const Point2f> features() const { return features_; }
+  /// Of the newest frame.
+  const ImagePyramid& pyramid() const { return current_; }
 
  private:
   void sort_features();

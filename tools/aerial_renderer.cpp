@@ -79,20 +79,20 @@ cv::Mat car_from_above(cv::RNG& random) {
   return opaque(car);
 }
 
-/// Head, shirt and trousers, upright; `stride` moves the legs.
-cv::Mat person_upright(const cv::Scalar& shirt, const cv::Scalar& trousers, int stride, bool cycle) {
-  cv::Mat p(68, 32, CV_8UC4, cv::Scalar(0, 0, 0, 0));
+/// Shoulders and head, walking to the right; for a cyclist, between two wheels.
+cv::Mat person_from_above(const cv::Scalar& shirt, int stride, bool cycle) {
+  cv::Mat p(cycle ? cv::Size(96, 32) : cv::Size(40, 32), CV_8UC4, cv::Scalar(0, 0, 0, 0));
   const auto solid = [](cv::Scalar c) {
     c[3] = 255.0;
     return c;
   };
-  cv::line(p, {14, 36}, {14 - stride, 64}, solid(trousers), 6);
-  cv::line(p, {18, 36}, {18 + stride, 64}, solid(trousers * 0.8), 6);
-  cv::rectangle(p, {9, 14, 14, 24}, solid(shirt), cv::FILLED);
-  cv::rectangle(p, {9 - stride / 3, 16, 4, 18}, solid(shirt * 0.7), cv::FILLED);
-  cv::circle(p, {16, 8}, 6, solid({60, 80, 120}), cv::FILLED);
-  cv::circle(p, {16, 6}, 5, solid({20, 25, 35}), cv::FILLED);
-  if (cycle) cv::ellipse(p, {16, 54}, {14, 10}, 0, 0, 360, solid({30, 30, 30}), 3);
+  const cv::Point middle(p.cols / 2, p.rows / 2);
+  if (cycle) cv::line(p, {4, middle.y}, {p.cols - 5, middle.y}, solid({30, 30, 30}), 5);
+  if (cycle) cv::line(p, {p.cols - 22, 6}, {p.cols - 22, p.rows - 7}, solid({60, 60, 60}), 4);
+  cv::ellipse(p, middle, {11, 15}, 0, 0, 360, solid(shirt), cv::FILLED);
+  cv::circle(p, middle + cv::Point(stride, -12), 4, solid({70, 95, 140}), cv::FILLED);
+  cv::circle(p, middle + cv::Point(-stride, 12), 4, solid({70, 95, 140}), cv::FILLED);
+  cv::circle(p, middle + cv::Point(2, 0), 7, solid({20, 28, 45}), cv::FILLED);
   return p;
 }
 
@@ -186,7 +186,7 @@ void AerialRenderer::make_sprites(std::uint64_t seed) {
   wall_ = opaque(mottled({64, 64}, {150, 165, 175}, 9.0, 4, 16, random));
   for (int x = 6; x < 60; x += 18) cv::rectangle(wall_, {x, 18, 10, 24}, {70, 60, 50, 255}, cv::FILLED);
   shadow_ = cv::Mat(32, 64, CV_8UC4, cv::Scalar(20, 20, 20, 0));
-  cv::ellipse(shadow_, {32, 16}, {28, 12}, 0, 0, 360, {20, 20, 20, 120}, cv::FILLED);
+  cv::ellipse(shadow_, {32, 16}, {28, 12}, 0, 0, 360, {20, 20, 20, 80}, cv::FILLED);
   for (int i = 0; i < 4; ++i) {
     roofs_.push_back(opaque(mottled({128, 128}, {90.0 + 25 * i, 110, 150.0 - 20 * i}, 10.0, 3, 48, random)));
     for (int k = 0; k < 5; ++k) {
@@ -198,10 +198,10 @@ void AerialRenderer::make_sprites(std::uint64_t seed) {
   for (int i = 0; i < 8; ++i) {
     cars_.push_back(car_from_above(random));
     car_sides_.push_back(opaque(mottled({64, 16}, some_color(random) * 0.6, 8.0, 3, 8, random)));
-    const cv::Scalar shirt = some_color(random), trousers = some_color(random);
+    const cv::Scalar shirt = some_color(random);
     for (const int stride : {-7, 0, 7}) {
-      people_.push_back(person_upright(shirt, trousers, stride, false));
-      cycles_.push_back(person_upright(shirt, trousers, stride / 2, true));
+      people_.push_back(person_from_above(shirt, stride, false));
+      cycles_.push_back(person_from_above(shirt, stride / 2, true));
     }
   }
 }
@@ -254,30 +254,32 @@ void AerialRenderer::add_box(std::vector<Quad>& quads, cv::Point2d centre, cv::S
 }
 
 void AerialRenderer::add_mover(std::vector<Quad>& quads, std::vector<Quad>& shadows, const MoverState& mover,
-                               double t_s, const cv::Vec3d& camera_m) const {
+                               double t_s) const {
   const auto look = static_cast<std::size_t>(mover.id);
-  const cv::Point2d sun(1.1, 0.8);  // where shadows of things 1.7 m high fall
+  const cv::Point2d sun(1.0, 0.7);  // where shadows of things 1.7 m high fall
   if (mover.kind == MoverKind::car) {
     add_box(quads, mover.at_m, {4.3, 1.8}, mover.heading_rad, 0.3, 1.4, cars_[look % cars_.size()],
             car_sides_[look % cars_.size()], mover.id);
   } else {
-    // Upright, facing the camera, a little leant back so that it is seen from above.
-    const cv::Point2d to_camera(camera_m[0] - mover.at_m.x, camera_m[1] - mover.at_m.y);
-    const double distance = std::max(1.0, cv::norm(to_camera));
-    const cv::Point2d across = turned(to_camera * (0.4 / distance), 0.5 * CV_PI);
-    const cv::Point2d lean = to_camera * (-0.5 / distance);
-    const auto& looks = mover.kind == MoverKind::person ? people_ : cycles_;
+    const bool cycle = mover.kind == MoverKind::cyclist;
     const auto stride = static_cast<std::size_t>(t_s * 5.0 + mover.id) % 3;
-    const cv::Point2d foot = mover.at_m, head = mover.at_m + lean;
-    quads.push_back({{lifted(head - across, 1.75), lifted(head + across, 1.75), lifted(foot + across, 0.0),
-                      lifted(foot - across, 0.0)},
-                     &looks[(look % 8) * 3 + stride],
-                     mover.id});
+    const cv::Mat& top = (cycle ? cycles_ : people_)[(look % 8) * 3 + stride];
+    // Trousers, then shirt and head: two slices of a body are enough from above.
+    add_box(quads, mover.at_m, cycle ? cv::Size2d(0.5, 0.3) : cv::Size2d(0.4, 0.4), mover.heading_rad, 0.0,
+            1.3, car_sides_[look % car_sides_.size()], car_sides_[look % car_sides_.size()], mover.id);
+    const cv::Size2d size = cycle ? cv::Size2d(1.7, 0.6) : cv::Size2d(0.7, 0.56);
+    std::array<cv::Vec3d, 4> corners;
+    const std::array<cv::Point2d, 4> unit{cv::Point2d{-0.5, 0.5}, {0.5, 0.5}, {0.5, -0.5}, {-0.5, -0.5}};
+    for (std::size_t i = 0; i < 4; ++i) {
+      corners[i] = lifted(
+          mover.at_m + turned({unit[i].x * size.width, unit[i].y * size.height}, mover.heading_rad), 1.5);
+    }
+    quads.push_back({corners, &top, mover.id});
   }
   const double length = mover.kind == MoverKind::car ? 2.6 : 0.9,
                width = mover.kind == MoverKind::car ? 1.2 : 0.35;
   const double turn = mover.kind == MoverKind::car ? mover.heading_rad : std::atan2(sun.y, sun.x);
-  const cv::Point2d centre = mover.at_m + 0.45 * sun;
+  const cv::Point2d centre = mover.at_m + 0.35 * sun;
   shadows.push_back({{lifted(centre + turned({-length, width}, turn), 0.0),
                       lifted(centre + turned({length, width}, turn), 0.0),
                       lifted(centre + turned({length, -width}, turn), 0.0),
@@ -322,7 +324,7 @@ AerialFrame AerialRenderer::render(const AerialCamera& camera, const AerialTraff
                       cv::BORDER_REFLECT);
   std::vector<Quad> quads = statics_, shadows = static_shadows_;
   const std::vector<MoverState> movers = traffic.at(t_s);
-  for (const MoverState& mover : movers) add_mover(quads, shadows, mover, t_s, eye);
+  for (const MoverState& mover : movers) add_mover(quads, shadows, mover, t_s);
   for (const Quad& shadow : shadows) paint(shadow, P, frame.bgr, nullptr);
   const auto distance = [&](const Quad& q) {
     const cv::Vec3d middle = 0.25 * (q.corners_m[0] + q.corners_m[1] + q.corners_m[2] + q.corners_m[3]);

@@ -70,8 +70,8 @@ class AerialRenderer {
   void make_sprites(std::uint64_t seed);
   void add_box(std::vector<Quad>& quads, cv::Point2d centre, cv::Size2d size, double turn, double z0,
                double z1, const cv::Mat& top, const cv::Mat& side, int id) const;
-  void add_mover(std::vector<Quad>& quads, std::vector<Quad>& shadows, const MoverState& mover, double t_s,
-                 const cv::Vec3d& camera_m) const;
+  void add_mover(std::vector<Quad>& quads, std::vector<Quad>& shadows, const MoverState& mover,
+                 double t_s) const;
   void paint(const Quad& quad, const cv::Matx34d& projection, cv::Mat& picture, cv::Mat* ids) const;
 
   std::vector<Quad> statics_, static_shadows_;

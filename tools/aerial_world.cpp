@@ -161,14 +161,17 @@ AerialWorld make_aerial_world(std::uint64_t seed) {
   return world;
 }
 
-AerialTraffic::AerialTraffic(const AerialWorld& world, std::uint64_t seed, double per_minute, int most)
+AerialTraffic::AerialTraffic(const AerialWorld& world, std::uint64_t seed, double per_minute, int most,
+                             std::optional<MoverKind> only)
     : world_(world) {
   Random random(seed, 2);
   double t_s = 0.0;
   for (int i = 0; i < most; ++i) {
     t_s += -std::log(1.0 - random.uniform(0.0, 1.0)) * 60.0 / per_minute;
     Mover mover;
-    mover.route = static_cast<std::size_t>(random.next() % world.routes.size());
+    do {
+      mover.route = static_cast<std::size_t>(random.next() % world.routes.size());
+    } while (only && world.routes[mover.route].kind != *only);
     const MoverKind kind = world.routes[mover.route].kind;
     mover.enters_s = t_s;
     mover.speed_mps = kind == MoverKind::car       ? random.uniform(4.0, 7.0)

@@ -7,6 +7,8 @@
 
 #include <cstdint>
 #include <opencv2/core/types.hpp>
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace hindsight::tools {
@@ -61,8 +63,9 @@ struct MoverState {
 /// its own.
 class AerialTraffic {
  public:
-  /// `per_minute` objects enter on average until `most` have.
-  AerialTraffic(const AerialWorld& world, std::uint64_t seed, double per_minute, int most);
+  /// `per_minute` objects enter on average until `most` have; of one kind only, if that is given.
+  AerialTraffic(const AerialWorld& world, std::uint64_t seed, double per_minute, int most,
+                std::optional<MoverKind> only);
 
   std::vector<MoverState> at(double t_s) const;
   /// When the last has left the world.

@@ -14,6 +14,7 @@
 #include "config/exit_code.h"
 #include "tools/bench_dstar.h"
 #include "tools/bench_flow.h"
+#include "tools/bench_motion.h"
 #include "tools/bench_robot.h"
 #include "tools/bench_segment.h"
 #include "tools/builtin_config.h"
@@ -92,6 +93,7 @@ nlohmann::ordered_json measure(const BenchOptions& options) {
   result["dstar_speedup_weighted"] = dstar.dstar_speedup_weighted;
   result["dstar_speedup_uniform"] = dstar.dstar_speedup_uniform;
   result["dstar_worst_over_scratch"] = dstar.dstar_worst_over_scratch;
+  result["motion_step_fps"] = bench_motion_fps();
   result["allocations_per_tick"] = tick.allocations_per_tick;
   result["rss_mb"] = rss_mb;
   result["replay_over_realtime"] = bench_replay_over_realtime(frames, standard);

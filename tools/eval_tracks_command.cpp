@@ -13,13 +13,17 @@
 #include <opencv2/videoio.hpp>
 
 #include "config/exit_code.h"
+#include "daemon/model_store.h"
+#include "perception/activity_codec.h"
 #include "perception/motion_tracker.h"
 #include "perception/optical_flow.h"
+#include "sim_replay/read_file.h"
 #include "tools/cpu_time.h"
 #include "tools/eval_tracks_score.h"
 #include "tools/image_folder.h"
 #include "tools/report_style.h"
 #include "tools/report_tracks.h"
+#include "tools/video_tracker.h"
 
 namespace hindsight::tools {
 namespace {
@@ -28,7 +32,7 @@ constexpr int kSettleFrames = 10;
 constexpr double kVideo_hz = 10.0;
 
 struct Options {
-  std::string frames, truth, activity, video;
+  std::string frames, truth, activity, learn, video;
   double scale = 1.0;
   bool json = false;
 };
@@ -86,6 +90,19 @@ void warn_of_scale(const TrackTruth& truth, cv::Size size, const Options& option
              options.truth, options.scale);
 }
 
+std::shared_ptr<ActivityPrior> load_prior(const std::string& file) {
+  const ActivityDecoded decoded = decode_activity(read_file<std::vector<std::uint8_t>>(file));
+  if (!decoded.problem.empty()) throw FatalError(kExitBadData, file + ": " + decoded.problem);
+  return std::make_shared<ActivityPrior>(decoded.map);
+}
+
+void save(const ActivityMap& map, const std::string& file) {
+  if (file.empty()) return;
+  if (const std::string problem = save_atomically(file, encode_activity(map)); !problem.empty()) {
+    throw FatalError(kExitIo, problem);
+  }
+}
+
 int evaluate(const Options& options) {
   cv::setNumThreads(1);
   ImageFolder frames(options.frames);
@@ -94,19 +111,24 @@ int evaluate(const Options& options) {
   warn_of_scale(truth, size, options);
   const OpticalFlowParams flow_params;
   OpticalFlow flow(flow_params, size.width, size.height);
-  MotionTracker motion(MotionParams{}, size.width, size.height,
-                       static_cast<std::size_t>(flow_params.corners.max_features));
+  VideoTracker motion(MotionParams{}, size);
+  ActivityAnchor anchor(flow_params.tracker, size.width, size.height);
+  ActivityMap learned(kPictureActivity);
+  if (!options.activity.empty()) motion.use(load_prior(options.activity));
   TrackScore score(truth, kSettleFrames);
   Film film(options.video, size);
   double motion_us = 0.0;
   for (int i = 0; i < frames.size(); ++i) {
     const cv::Mat frame = frames.read(i);
     const auto vectors = flow.update({frame.data, frame.total() * frame.elemSize()});
-    motion_us += microseconds([&] { motion.update(vectors); });
+    motion_us += microseconds([&] { motion.step(vectors, anchor.H_G_image()); });
+    const bool anchored = anchor.update(flow.pyramid(), flow.features(), motion.report().ego);
+    if (anchored) learn_activity(motion.report(), anchor.H_G_image(), learned);
     score.add(motion.report().tracks);
     const auto at = static_cast<std::size_t>(i);
     film.add(frame, motion.report(), at < truth.frames.size() ? &truth.frames[at] : nullptr);
   }
+  save(learned, options.learn);
   const nlohmann::ordered_json json =
       to_json(score.figures(), truth.complete, 1e6 * frames.size() / motion_us);
   if (options.json) {
@@ -136,6 +158,10 @@ void add_eval_tracks(CLI::App& eval, Run& run) {
   app.add_option("--scale", options->scale, "of the truth's numbers to the frames' pixels")
       ->capture_default_str()
       ->check(CLI::PositiveNumber);
+  app.add_option("--activity", options->activity,
+                 "use an activity map learned from a video that began with the same view")
+      ->type_name("MAP");
+  app.add_option("--learn", options->learn, "write the activity map of this video")->type_name("MAP");
   app.add_option("--video", options->video, "draw the tracks into a film")->type_name("OUT.mp4");
   app.add_flag("--json", options->json, "print JSON; fps: frames a second of one core, beside the flow");
   app.callback([options, &run] { run = [options] { return evaluate(*options); }; });

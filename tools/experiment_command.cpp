@@ -4,6 +4,7 @@
 
 #include <memory>
 
+#include "tools/experiment_activity.h"
 #include "tools/experiment_colours.h"
 #include "tools/experiment_failsafe.h"
 #include "tools/experiment_navigation.h"
@@ -102,6 +103,25 @@ void add_failsafe(CLI::App& experiments, Run& run) {
   command->callback([e, &run] { run = [e] { return run_failsafe_experiment(*e); }; });
 }
 
+void add_activity(CLI::App& experiments, Run& run) {
+  auto e = std::make_shared<ActivityExperiment>();
+  CLI::App* command = experiments.add_subcommand("activity",
+                                                 "Tracking from the air with and without a learned activity "
+                                                 "map, and registration by motion (thesis 3.3)");
+  command->add_option("-o,--output", e->folder, "Folder for tables and figures")
+      ->required()
+      ->type_name("DIR");
+  command->add_option("--seeds", e->seeds, "Worlds")->capture_default_str()->check(CLI::Range(2, 1000));
+  command->add_option("--frames", e->frames, "Of each world's test video")
+      ->capture_default_str()
+      ->check(CLI::Range(20, 100000));
+  command->add_option("--processes", e->processes, "Worlds side by side")
+      ->capture_default_str()
+      ->check(CLI::PositiveNumber);
+  command->add_option("--seed", e->seed, "Of the first world; the others follow")->capture_default_str();
+  command->callback([e, &run] { run = [e] { return run_activity_experiment(*e); }; });
+}
+
 void add_traceback(CLI::App& experiments, Run& run) {
   auto e = std::make_shared<TracebackExperiment>();
   CLI::App* command =
@@ -144,6 +164,7 @@ void add_experiment(CLI::App& app, Run& run) {
   add_slip(*experiments, run);
   add_failsafe(*experiments, run);
   add_colours(*experiments, run);
+  add_activity(*experiments, run);
 }
 
 }  // namespace hindsight::tools

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tools/report_style.h"
+#include "tools/report_tracks.h"
 
 namespace hindsight::tools {
 namespace {
@@ -81,13 +82,17 @@ std::vector<ImageRect> touched_patches(std::span<const Lesson> lessons) {
   return patches;
 }
 
-cv::Mat draw_frame(const Frame& frame, const Sight& sight, std::span<const ImageRect> touched) {
+cv::Mat draw_frame(const Frame& frame, const Robot& robot, std::span<const ImageRect> touched) {
+  const Sight& sight = robot.sight();
   cv::Mat picture = view_of(frame.bgr, frame.width_px, frame.height_px).clone();
   tint_labels(picture, sight.labels());
   draw_horizon(picture, sight.ground().horizon_row_px());
   draw_flow(picture, sight.vectors());
   draw_contacts(picture, sight.bottom_finder());
   for (const ImageRect& patch : touched) cv::rectangle(picture, pixel_rect(patch, 1.0), kPaper.bgr(), 2);
+  if (robot.motion() != nullptr) {
+    draw_tracks(picture, robot.motion()->report().tracks, robot.motion()->report().features);
+  }
   return picture;
 }
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "daemon/learner.h"
-#include "daemon/sight.h"
+#include "daemon/robot.h"
 
 namespace hindsight::tools {
 
@@ -17,7 +17,7 @@ std::vector<ImageRect> touched_patches(std::span<const Lesson> lessons);
 /// The frame as the robot saw it: labels as transparent colours, the horizon, flow from where points were to
 /// where they are, the foot of each column's nearest obstacle, and `touched` patches. `sight` must have taken
 /// the frame in.
-cv::Mat draw_frame(const Frame& frame, const Sight& sight, std::span<const ImageRect> touched);
+cv::Mat draw_frame(const Frame& frame, const Robot& robot, std::span<const ImageRect> touched);
 
 /// The same pixels as an image of OpenCV, not copied; the bytes must outlive it and are not to be written to.
 cv::Mat view_of(std::span<const std::uint8_t> bgr, int width_px, int height_px);

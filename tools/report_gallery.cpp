@@ -75,7 +75,7 @@ void Gallery::look_at_frame(ReplayRun& run, double time_s) {
   if (spread) ++spread_frames_;
   if (contact) ++contact_frames_;
   const std::string file = fmt::format("frame_{:06}.jpg", run.input().index);
-  folder_.write_picture(file, draw_frame(*frame, run.robot().sight(), touched_patches(lessons)));
+  folder_.write_picture(file, draw_frame(*frame, run.robot(), touched_patches(lessons)));
   frames_html_ += figure(file, frame_caption(run, time_s));
 }
 

@@ -32,7 +32,7 @@ bool ReportVideo::open(const std::string& path, int fourcc, double rate_hz) {
 void ReportVideo::look(ReplayRun& run, const RunTrace& trace) {
   const FrameRef& frame = run.input().frame;
   if (!frame || cv::Size(frame->width_px, frame->height_px) != frame_) return;
-  draw_frame(*frame, run.robot().sight(), touched_patches(run.robot().learner().lessons()))
+  draw_frame(*frame, run.robot(), touched_patches(run.robot().learner().lessons()))
       .copyTo(canvas_(cv::Rect({0, 0}, frame_)));
   draw_surroundings(run, trace).copyTo(canvas_(cv::Rect(frame_.width, 0, frame_.height, frame_.height)));
   writer_.write(canvas_);

@@ -11,12 +11,14 @@
 namespace hindsight {
 namespace {
 
+constexpr ActivityMapParams kPixels{.cell = 16.0, .cells = 256, .max_speed = 12.0};
+
 Eigen::Vector2d polar(double speed, double degrees) {
   return speed * Eigen::Vector2d(std::cos(degrees * M_PI / 180.0), std::sin(degrees * M_PI / 180.0));
 }
 
 TEST(ActivityMap, CountsWhatMovedWhere) {
-  ActivityMap map({});
+  ActivityMap map(kPixels);
   for (int i = 0; i < 7; ++i) map.add({20.0, -40.0}, polar(3.0, 45.0));
   map.add({20.0, -40.0}, polar(3.0, -130.0));
   map.add({1e9, 0.0}, polar(3.0, 0.0));
@@ -28,7 +30,7 @@ TEST(ActivityMap, CountsWhatMovedWhere) {
 }
 
 TEST(ActivityMap, TellsBothWaysOfACellThatIsUsedBothWays) {
-  ActivityMap map({});
+  ActivityMap map(kPixels);
   for (int i = 0; i < 30; ++i) map.add({5.0, 5.0}, polar(2.0, 3.0));
   for (int i = 0; i < 20; ++i) map.add({5.0, 5.0}, polar(2.0, 183.0));
   std::array<ActivityMode, 4> modes;
@@ -45,7 +47,7 @@ TEST(ActivityMap, TellsBothWaysOfACellThatIsUsedBothWays) {
 }
 
 TEST(ActivityMap, ThePriorLooksThroughTheViewsHomography) {
-  ActivityMap map({});
+  ActivityMap map(kPixels);
   for (int i = 0; i < 30; ++i) map.add({100.0, 100.0}, polar(4.0, 90.0));
   ActivityPrior prior(map);
   Eigen::Matrix3d H_G_image;
@@ -61,7 +63,7 @@ TEST(ActivityMap, ThePriorLooksThroughTheViewsHomography) {
 }
 
 TEST(ActivityMap, MergesAnotherOfTheSamePlace) {
-  ActivityMap a({}), b({});
+  ActivityMap a(kPixels), b(kPixels);
   a.add({40.0, 8.0}, polar(2.0, 5.0));
   b.add({8.0, -40.0}, polar(2.0, -85.0));  // the same, seen turned by -90 degrees
   a.merge(b, 0.5 * M_PI, {0.0, 0.0});

@@ -62,7 +62,7 @@ TEST(MotionTracker, FollowsThreeThingsUnderTheirNumbers) {
   std::vector<std::int32_t> ids(3);
   for (int frame = 0; frame < 40; ++frame) {
     const auto tracks = motion.update(scene.next()).tracks;
-    if (frame < 12) continue;
+    if (frame < 28) continue;
     ASSERT_EQ(tracks.size(), 3U) << frame;
     for (std::size_t i = 0; i < 3; ++i) {
       const Thing& thing = scene.things[i];

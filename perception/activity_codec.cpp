@@ -1,0 +1,135 @@
+// SPDX-FileCopyrightText: 2026 The Hindsight authors
+// SPDX-License-Identifier: BSD-2-Clause
+#include "perception/activity_codec.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <concepts>
+#include <cstddef>
+
+namespace hindsight {
+namespace {
+
+constexpr std::array<std::uint8_t, 4> kMagic{'H', 'S', 'A', 'M'};
+constexpr std::uint16_t kVersion = 1;
+constexpr std::size_t kHeaderBytes = 32, kCellBytes = 12, kBinBytes = 6, kChecksumBytes = 4;
+
+std::uint32_t crc32(std::span<const std::uint8_t> bytes) {
+  std::uint32_t crc = ~0u;
+  for (const std::uint8_t byte : bytes) {
+    crc ^= byte;
+    for (int bit = 0; bit < 8; ++bit) crc = crc >> 1 ^ ((crc & 1u) != 0 ? 0xEDB88320u : 0u);
+  }
+  return ~crc;
+}
+
+void put(std::vector<std::uint8_t>& out, std::unsigned_integral auto value) {
+  for (std::size_t i = 0; i < sizeof value; ++i) out.push_back(static_cast<std::uint8_t>(value >> (8 * i)));
+}
+
+/// Reads little-endian numbers; nothing and `ok` false beyond the end.
+class Reader {
+ public:
+  explicit Reader(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
+  template <std::unsigned_integral Number>
+  Number take() {
+    Number value = 0;
+    ok_ = ok_ && bytes_.size() - at_ >= sizeof value;
+    if (!ok_) return value;
+    for (std::size_t i = 0; i < sizeof value; ++i) {
+      value = static_cast<Number>(value | static_cast<Number>(bytes_[at_ + i]) << (8 * i));
+    }
+    at_ += sizeof value;
+    return value;
+  }
+  std::size_t at() const { return at_; }
+  bool ok() const { return ok_; }
+
+ private:
+  std::span<const std::uint8_t> bytes_;
+  std::size_t at_ = 0;
+  bool ok_ = true;
+};
+
+ActivityDecoded refused(const std::string& problem) {
+  ActivityDecoded result;
+  result.problem = problem;
+  return result;
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> encode_activity(const ActivityMap& map) {
+  std::vector<std::uint8_t> out(kMagic.begin(), kMagic.end());
+  put(out, kVersion);
+  put(out, std::uint16_t{0});
+  put(out, std::bit_cast<std::uint64_t>(map.cell()));
+  put(out, static_cast<std::uint32_t>(map.cells()));
+  put(out, std::bit_cast<std::uint64_t>(map.params().max_speed));
+  put(out, static_cast<std::uint32_t>(map.active().size()));
+  for (std::size_t i = 0; i < map.active().size(); ++i) {
+    const auto counts = map.counts(i);
+    put(out, static_cast<std::uint32_t>(map.active()[i].column));
+    put(out, static_cast<std::uint32_t>(map.active()[i].row));
+    put(out, static_cast<std::uint32_t>(
+                 counts.size() - static_cast<std::size_t>(std::count(counts.begin(), counts.end(), 0U))));
+    for (std::size_t bin = 0; bin < counts.size(); ++bin) {
+      if (counts[bin] == 0) continue;
+      put(out, static_cast<std::uint16_t>(bin));
+      put(out, counts[bin]);
+    }
+  }
+  put(out, crc32(out));
+  return out;
+}
+
+ActivityDecoded decode_activity(std::span<const std::uint8_t> bytes) {
+  if (bytes.size() < kHeaderBytes + kChecksumBytes)
+    return refused(fmt::format("ends at byte {}, within the header", bytes.size()));
+  if (!std::equal(kMagic.begin(), kMagic.end(), bytes.begin()))
+    return refused("byte 0: is no activity map (expected \"HSAM\")");
+  const auto body = bytes.first(bytes.size() - kChecksumBytes);
+  Reader in(body.subspan(kMagic.size()));
+  if (const auto version = in.take<std::uint16_t>(); version != kVersion) {
+    return refused(fmt::format("byte 4: version {}, expected {}", version, kVersion));
+  }
+  if (crc32(body) != Reader(bytes.last(kChecksumBytes)).take<std::uint32_t>()) {
+    return refused(fmt::format("byte {}: the checksum does not fit", body.size()));
+  }
+  in.take<std::uint16_t>();
+  ActivityMapParams params;
+  params.cell = std::bit_cast<double>(in.take<std::uint64_t>());
+  const auto cells = in.take<std::uint32_t>();
+  params.max_speed = std::bit_cast<double>(in.take<std::uint64_t>());
+  if (!(params.cell > 0.0 && params.cell < 1e6) || cells < 8 || cells > 1024 ||
+      !(params.max_speed > 0.0 && params.max_speed < 1e6)) {
+    return refused("byte 8: no map has such cells, so many or such speeds");
+  }
+  params.cells = static_cast<int>(cells);
+  ActivityDecoded result{ActivityMap(params), {}};
+  const auto count = in.take<std::uint32_t>();
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const std::size_t begin = in.at() + kMagic.size();
+    const auto column = in.take<std::uint32_t>(), row = in.take<std::uint32_t>(),
+               bins = in.take<std::uint32_t>();
+    for (std::uint32_t k = 0; k < bins && in.ok(); ++k) {
+      const auto bin = in.take<std::uint16_t>();
+      const auto times = in.take<std::uint32_t>();
+      if (in.ok() && column < cells && row < cells &&
+          result.map.add_count(static_cast<int>(column), static_cast<int>(row), bin, times)) {
+        continue;
+      }
+      return refused(fmt::format("byte {}: cell {} is none of the map's", begin, i));
+    }
+    if (!in.ok()) return refused(fmt::format("byte {}: ends within cell {}", begin, i));
+  }
+  if (in.at() + kMagic.size() != body.size())
+    return refused(fmt::format("byte {}: expected the checksum", in.at() + kMagic.size()));
+  return result;
+}
+
+}  // namespace hindsight

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The Hindsight authors
+// SPDX-License-Identifier: BSD-2-Clause
+//
+// An activity map as bytes, for the file in which it outlives the process. Reading and writing the file is
+// done elsewhere.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "perception/activity_map.h"
+
+namespace hindsight {
+
+/// Little-endian: "HSAM", u16 version, u16 zero, f64 cell, u32 cells, f64 greatest speed, u32 number of
+/// active cells n, then n cells (u32 column, u32 row, u32 number of bins b, b times u16 bin and u32 count),
+/// then the CRC-32 (IEEE 802.3) of all bytes before it.
+std::vector<std::uint8_t> encode_activity(const ActivityMap& map);
+
+struct ActivityDecoded {
+  ActivityMap map{{}};
+  std::string problem;  ///< empty: whole and sound; else what is wrong and at which byte, and `map` is empty
+};
+ActivityDecoded decode_activity(std::span<const std::uint8_t> bytes);
+
+}  // namespace hindsight

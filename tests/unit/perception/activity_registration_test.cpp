@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 The Hindsight authors
+// SPDX-License-Identifier: BSD-2-Clause
+#include "perception/activity_registration.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "perception/activity_codec.h"
+
+namespace hindsight {
+namespace {
+
+constexpr ActivityMapParams kPixels{.cell = 16.0, .cells = 128, .max_speed = 12.0};
+
+TEST(ActivityRegistration, FindsHowAMapWasTurnedAndMoved) {
+  // Crossroads look the same after a quarter turn but for an arm that leads nowhere.
+  ActivityMap a = crossroads_template(kPixels, 300.0, 30.0, 6.0);
+  for (double x = 60.0; x < 240.0; x += 4.0) a.add({x, 150.0}, {2.0, 0.0});
+  const double angle = 0.7;
+  const Eigen::Vector2d t(50.0, -90.0);
+  ActivityMap b(kPixels);
+  b.merge(a, -angle,
+          {-(std::cos(angle) * t.x() + std::sin(angle) * t.y()),
+           std::sin(angle) * t.x() - std::cos(angle) * t.y()});
+  const ActivityAlignment found = register_activity(a, b);
+  EXPECT_LT(std::abs(std::remainder(found.angle_rad - angle, 2.0 * M_PI)) * 180.0 / M_PI, 3.0);
+  EXPECT_LT((found.t - t).norm(), 2.0 * kPixels.cell);
+  EXPECT_GT(found.likeness, 0.7);
+}
+
+TEST(ActivityRegistration, TellsACrossroadsFromARoundabout) {
+  const ActivityMap cross = crossroads_template(kPixels, 300.0, 30.0, 6.0),
+                    ring = roundabout_template(kPixels, 300.0, 30.0, 6.0, 140.0);
+  EXPECT_GT(register_activity(ring, ring).likeness, register_activity(ring, cross).likeness);
+  EXPECT_GT(register_activity(cross, cross).likeness, register_activity(cross, ring).likeness);
+}
+
+TEST(ActivityRegistration, OfNothingIsNothing) {
+  const ActivityMap empty(kPixels), cross = crossroads_template(kPixels, 300.0, 30.0, 6.0);
+  EXPECT_EQ(register_activity(empty, cross).likeness, 0.0);
+  EXPECT_EQ(register_activity(cross, empty).likeness, 0.0);
+}
+
+TEST(ActivityCodec, GivesBackWhatItWasGivenAndNothingElse) {
+  const ActivityMap map = roundabout_template(kPixels, 300.0, 30.0, 6.0, 140.0);
+  const std::vector<std::uint8_t> bytes = encode_activity(map);
+  const ActivityDecoded decoded = decode_activity(bytes);
+  ASSERT_EQ(decoded.problem, "");
+  EXPECT_EQ(encode_activity(decoded.map), bytes);
+  EXPECT_EQ(decoded.map.total(), map.total());
+  for (std::size_t cut = 0; cut < bytes.size(); cut += 97) {
+    EXPECT_NE(decode_activity(std::span(bytes).first(cut)).problem, "") << cut;
+  }
+  for (std::size_t at = 0; at < bytes.size(); at += 131) {
+    std::vector<std::uint8_t> damaged = bytes;
+    damaged[at] ^= 0x10;
+    EXPECT_NE(decode_activity(damaged).problem, "") << at;
+  }
+}
+
+}  // namespace
+}  // namespace hindsight
