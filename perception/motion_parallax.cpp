@@ -61,8 +61,14 @@ int ParallaxLayer::count_places(const Eigen::Vector3f& epipole, float sign, floa
   for (const Residual& r : residuals_) {
     if (count == kPlaces) break;
     const auto end = places.begin() + count;
-    if (!agrees(r, epipole, sign, noise_px) ||
-        std::any_of(places.begin(), end, [&](Point2f p) { return distance_px(p, r.at_px) < apart_px; })) {
+    const auto agreeing = [&](const Residual& other) { return agrees(other, epipole, sign, noise_px); };
+    // A stray error of the flow is no place: it takes a few residuals beside one another.
+    if (!agreeing(r) || std::count_if(residuals_.begin(), residuals_.end(), [&](const Residual& other) {
+                          return distance_px(r.at_px, other.at_px) < kEdge_px && agreeing(other);
+                        }) <= kNeighbours) {
+      continue;
+    }
+    if (std::any_of(places.begin(), end, [&](Point2f p) { return distance_px(p, r.at_px) < apart_px; })) {
       continue;
     }
     places[static_cast<std::size_t>(count++)] = r.at_px;

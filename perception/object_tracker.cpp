@@ -19,7 +19,7 @@ constexpr float kReachOfLost = 1.5F;
 constexpr double kOffItsPlace = 0.4;  ///< way that takes an object off its own place, in parts of its size
 constexpr double kUsualShare = 50.0;  ///< a bin of p(v, theta) that holds a fiftieth is as usual as can be
 constexpr float kHeadingShare = 0.12F;
-constexpr float kSteadyNew = 0.7F, kSteady = 0.35F;  ///< see Object::heading
+constexpr float kSteadyNew = 0.7F, kSteady = 0.25F;  ///< see Object::heading
 constexpr int kUnseenNew = 2;          ///< frames that an object not yet confirmed may be unseen for
 constexpr double kStraightness = 0.4;  ///< way made over way that its speed promises
 
@@ -107,7 +107,6 @@ void ObjectTracker::look_at_own(Object& object) {
   Point2f at{}, v{};
   float mass = 0.0F;
   for (const MovingFeature& f : owned_) {
-    if (!roughly_alike(f.v_px, object.track.v_px)) continue;
     at.x_px += f.probability * f.at_px.x_px, at.y_px += f.probability * f.at_px.y_px;
     v.x_px += f.probability * f.v_px.x_px, v.y_px += f.probability * f.v_px.y_px;
     mass += f.probability;
@@ -191,7 +190,7 @@ void ObjectTracker::merge() {
       const float reach_px = link_reach_px(static_cast<float>(params_.merge_distance_px), a.track.v_px);
       const bool one = a.cluster >= 0 && a.cluster == b.cluster && !b.confirmed;
       if (roughly_alike(a.track.v_px, b.track.v_px) &&
-          (one || distance_px(a.track.at_px, b.track.at_px) < reach_px)) {
+          distance_px(a.track.at_px, b.track.at_px) < (one ? 2.0F : 1.0F) * reach_px) {
         b.alive = false;
       }
     }

@@ -8,6 +8,8 @@
 #include <Eigen/LU>
 #include <array>
 #include <cmath>
+#include <fstream>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <opencv2/core/utility.hpp>
 #include <opencv2/imgcodecs.hpp>
@@ -224,6 +226,7 @@ Json work(const ActivityExperiment& experiment, const ExperimentOutput& output, 
         b);
   const ActivityAlignment found = register_activity(a.map, b.map);
   Json json;
+  json["seed"] = seed, json["frames"] = experiment.frames;
   for (std::size_t k = 0; k < kObjects.size(); ++k) json["tracking"].push_back(json_of(figures[k]));
   json["single"] = json_of(single_object(world, renderer, seed));
   json["registration"] = compare(a, b, found);
@@ -294,7 +297,7 @@ void report(const ActivityExperiment& experiment, const ExperimentOutput& output
                           {"median_degrees", quantile_of(degrees, 0.5)},
                           {"template_right", right / n}};
   json["single_object"] = {{"mean_fp", sp / n}, {"mean_fn", sn / n}};
-  json["all"] = all;
+
   const std::string more = fmt::format(
       "\nOne person alone, {} frames, mean over the worlds: {:.1f} FP, {:.1f} FN.\n\nRegistration by motion "
       "alone: {:.0f} % within 2 cells "
@@ -306,21 +309,42 @@ void report(const ActivityExperiment& experiment, const ExperimentOutput& output
   fmt::print("{}{}", table.markdown(), more);
 }
 
+/// What an earlier run of the same experiment has flown over: it goes on where that was stopped.
+std::map<std::uint64_t, Json> read_flown(const ActivityExperiment& experiment, const std::string& file) {
+  std::map<std::uint64_t, Json> flown;
+  std::ifstream lines(file);
+  for (std::string line; std::getline(lines, line);) {
+    const Json json = Json::parse(line, nullptr, false);
+    if (json.is_discarded() || json.value("frames", 0) != experiment.frames) continue;
+    const auto seed = json.value("seed", std::uint64_t{0});
+    if (seed - experiment.seed < static_cast<std::uint64_t>(experiment.seeds)) flown[seed] = json;
+  }
+  return flown;
+}
+
 }  // namespace
 
 int run_activity_experiment(const ActivityExperiment& experiment) {
   const ExperimentOutput output(experiment.folder, "activity");
-  std::vector<Json> all(static_cast<std::size_t>(experiment.seeds));
-  int finished = 0;
+  const std::string kept = output.path("_worlds.jsonl");
+  std::map<std::uint64_t, Json> flown = read_flown(experiment, kept);
+  std::vector<int> pieces;
+  for (int i = 0; i < experiment.seeds; ++i) {
+    if (!flown.contains(experiment.seed + static_cast<std::uint64_t>(i))) pieces.push_back(i);
+  }
   const int failed = run_in_processes(
-      experiment.seeds, experiment.processes,
-      [&](int piece) { return work(experiment, output, piece).dump(); },
-      [&](int piece, const std::string& text) {
-        all[static_cast<std::size_t>(piece)] = Json::parse(text);
-        fmt::print(stderr, "\rworld {} of {}   ", ++finished, experiment.seeds);
+      static_cast<int>(pieces.size()), experiment.processes,
+      [&](int i) { return work(experiment, output, pieces[static_cast<std::size_t>(i)]).dump(); },
+      [&](int, const std::string& text) {
+        const Json json = Json::parse(text);
+        flown[json["seed"].get<std::uint64_t>()] = json;
+        std::ofstream(kept, std::ios::app) << text << "\n";
+        fmt::print(stderr, "\rworld {} of {}   ", flown.size(), experiment.seeds);
       });
   if (failed > 0) throw FatalError(kExitSoftware, fmt::format("{} worlds could not be flown over", failed));
   fmt::print(stderr, "\n");
+  std::vector<Json> all;
+  for (const auto& [seed, json] : flown) all.push_back(json);
   report(experiment, output, all);
   return kExitOk;
 }

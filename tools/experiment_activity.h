@@ -18,7 +18,8 @@ struct ActivityExperiment {
   std::uint64_t seed = 1;  ///< of the first world
 };
 
-/// Films and writes activity.json, .md and the figures. Returns an exit code.
+/// Films and writes activity.json, .md and the figures; goes on where it was stopped (activity_worlds.jsonl).
+/// Returns an exit code.
 int run_activity_experiment(const ActivityExperiment& experiment);
 
 }  // namespace hindsight::tools
