@@ -25,6 +25,7 @@
 #include "perception/localisation_params.h"
 #include "perception/motion_tracker.h"
 #include "perception/optical_flow_params.h"
+#include "perception/road_params.h"
 #include "perception/slip_detector.h"
 #include "perception/terrain_mixture.h"
 #include "perception/training_events.h"
@@ -106,6 +107,7 @@ struct Configuration {
   SlipDetectorParams slip;
   MotionParams motion;
   ActivityMapParams activity_map;
+  RoadParams road;
   PlanningParams planning;
 
   void visit(auto&& section) {
@@ -134,6 +136,7 @@ struct Configuration {
     section("slip", slip);
     section("motion", motion);
     section("activity_map", activity_map);
+    section("road", road);
     section("cost_map", planning.cost_map);
     section("rollouts", planning.rollouts);
     section("behaviours", planning.behaviours);

@@ -10,6 +10,7 @@
 #include "tools/eval_command.h"
 #include "tools/experiment_command.h"
 #include "tools/import_command.h"
+#include "tools/render_command.h"
 #include "tools/report_command.h"
 #include "tools/send_command.h"
 #include "tools/sim_command.h"
@@ -26,6 +27,7 @@ int main(int argc, char** argv) {
   tools::add_eval(app, run);
   tools::add_experiment(app, run);
   tools::add_import(app, run);
+  tools::add_render(app, run);
   tools::add_report(app, run);
   tools::add_send(app, run);
   tools::add_sim(app, run);

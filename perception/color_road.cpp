@@ -1,0 +1,306 @@
+// SPDX-FileCopyrightText: 2026 The Hindsight authors
+// SPDX-License-Identifier: BSD-2-Clause
+#include "perception/color_road.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace hindsight {
+namespace {
+
+/// Pixels that a frame's strip, a traced strip, and what lies beside one row count as, so that near and far
+/// count alike.
+constexpr float kDefinitionCount = 400.0F, kTracedCount = 800.0F, kBesideCount = 60.0F;
+/// A traced strip is believed where it became narrower as perspective wants, up to this factor.
+constexpr float kMostOff = 1.4F;
+/// The farthest row, in parts of the way from the horizon to the bottom.
+constexpr float kFarthest = 0.035F;
+/// Half widths per row below the horizon (half the road's width over the camera's height) that are tried
+/// where no road is known, and horizons in parts of the picture's height where the camera does not tell.
+constexpr std::array kSlopes{0.5F, 0.8F, 1.25F, 2.0F, 3.2F};
+constexpr std::array kHorizons{0.2F, 0.3F, 0.4F, 0.5F};
+/// A row that fits worse than this neither corrects the filter nor teaches colours.
+constexpr float kFits = 0.3F;
+/// Standard deviations of a row's middle in half widths, where the fit is 1.
+constexpr float kRowSigma = 0.15F;
+/// How fast slope and horizon follow what the rows' widths say, each frame.
+constexpr float kShapeGain = 0.05F, kCalibratedGain = 0.01F;
+/// Where nothing else ends the road, it ends where rows fit worse than this.
+constexpr float kVisibleFit = 0.3F;
+/// Offsets tried, in profile columns to each side.
+constexpr int kSearchColumns = 360, kFollowSteps = 30, kAcquireSteps = 70;
+constexpr double kConfidenceMemory_s = 1.0;
+
+int stored_size(int full_px, int shrink) { return full_px / shrink; }
+
+}  // namespace
+
+ColorRoad::ColorRoad(const RoadParams& params, const RoadPicture& picture, int history_depth)
+    : params_(params),
+      picture_(picture),
+      stored_width_(stored_size(picture.width_px, picture.shrink)),
+      stored_height_(stored_size(picture.height_px, picture.shrink)),
+      definition_(params, picture, history_depth),
+      far_motion_(4096),
+      profile_(params.rows, stored_width_),
+      search_(params.rows, std::max(1, stored_width_ / kSearchColumns), kAcquireSteps),
+      filter_(params.rows) {
+  rows_.resize(static_cast<std::size_t>(params.rows));
+  expected_.resize(rows_.size());
+  found_.resize(rows_.size());
+  reset();
+}
+
+void ColorRoad::reset() {
+  colors_.clear();
+  filter_.reset();
+  following_ = false;
+  confidence_ = 0.0F;
+  const double horizon_px =
+      std::isfinite(picture_.horizon_row_px) ? picture_.horizon_row_px : 0.4 * picture_.height_px;
+  shape_ = {static_cast<float>(horizon_px / picture_.shrink), 1.25F};
+}
+
+float ColorRoad::to_full(float stored) const {
+  const auto shrink = static_cast<float>(picture_.shrink);
+  return stored * shrink + 0.5F * (shrink - 1.0F);
+}
+
+float ColorRoad::half_width(const Shape& shape, std::size_t row) const {
+  return std::max(1.0F, shape.slope * (rows_[row].row - shape.horizon));
+}
+
+void ColorRoad::update(const RoadInput& input, RoadEstimate& estimate) {
+  const ColorView picture{input.appearance.picture(0), stored_width_, stored_height_};
+  learn(input, picture);
+  if (following_) {
+    follow(input, picture);
+  } else {
+    acquire(picture);
+  }
+  tell(estimate);
+}
+
+void ColorRoad::learn(const RoadInput& input, const ColorView& picture) {
+  colors_.fade(static_cast<float>(std::exp(-input.dt_s / params_.color_memory_s)));
+  learn_definition(input, picture);
+  if (following_) {
+    learn_beside(picture);
+  } else {
+    learn_beside_anything(picture);
+  }
+  colors_.refresh();
+}
+
+void ColorRoad::learn_definition(const RoadInput& input, const ColorView& picture) {
+  const float shrink = static_cast<float>(picture_.shrink);
+  const float height = static_cast<float>(params_.definition_height_px) / shrink;
+  const auto add = [&](const ColorView& from, const RoadStrip& strip, float count) {
+    const int left = static_cast<int>(strip.left_px / shrink),
+              right = static_cast<int>(strip.right_px / shrink);
+    const int top = static_cast<int>(strip.top_px / shrink),
+              bottom = static_cast<int>(strip.top_px / shrink + height);
+    const int area = std::max(1, (right - left) * (bottom - top));
+    colors_.add(RoadColors::Side::road, from, left, right, top, bottom, count / static_cast<float>(area));
+  };
+  const RoadStrip& region = definition_.region();
+  add(picture, region, kDefinitionCount);
+  if (++frames_ % params_.refresh_frames != 0) return;
+  const float horizon_px = to_full(shape_.horizon), half_height_px = 0.5F * height * shrink;
+  const float region_slope = region.width_px() / (region.top_px + half_height_px - horizon_px);
+  for (const RoadStrip& strip : definition_.trace(input.history, params_.templates)) {
+    const float below_px = strip.top_px + half_height_px - horizon_px;
+    const float off = strip.width_px() / std::max(1.0F, region_slope * below_px);
+    if (below_px <= 0.0F || off > kMostOff || off < 1.0F / kMostOff) continue;
+    if (strip.frames_back >= input.appearance.size()) continue;
+    add({input.appearance.picture(strip.frames_back), stored_width_, stored_height_}, strip, kTracedCount);
+  }
+}
+
+void ColorRoad::learn_beside(const ColorView& picture) {
+  for (std::size_t k = 0; k < rows_.size(); ++k) {
+    const FoundRoad& road = found_[k];
+    if (static_cast<int>(k) >= visible_rows_ || road.fit < kFits) continue;
+    const float half = road.half_width_px;
+    const Row& row = rows_[k];
+    const auto add = [&](float from, float to) {
+      const int left = std::max(0, static_cast<int>(from)),
+                right = std::min(stored_width_, static_cast<int>(to));
+      const int area = (right - left) * (row.bottom - row.top);
+      if (right - left < 2) return;
+      colors_.add(RoadColors::Side::beside, picture, left, right, row.top, row.bottom,
+                  kBesideCount / static_cast<float>(area));
+    };
+    add(road.middle_px - 2.2F * half, road.middle_px - 1.2F * half);
+    add(road.middle_px + 1.2F * half, road.middle_px + 2.2F * half);
+  }
+}
+
+/// Where nothing is known, the sides of the picture below the horizon: some road among it does little harm,
+/// as what is on the road as often as there comes out as likelier road.
+void ColorRoad::learn_beside_anything(const ColorView& picture) {
+  lay_rows(shape_);
+  const float middle = 0.5F * static_cast<float>(stored_width_);
+  for (std::size_t k = 0; k < rows_.size(); ++k) {
+    const float half = std::max(0.2F * middle, kSlopes.back() * (rows_[k].row - shape_.horizon));
+    if (half > 0.8F * middle) continue;
+    const int left = static_cast<int>(middle - half), right = static_cast<int>(middle + half);
+    const int area = 2 * left * (rows_[k].bottom - rows_[k].top);
+    const float weight = 2.0F * kBesideCount / static_cast<float>(std::max(1, area));
+    colors_.add(RoadColors::Side::beside, picture, 0, left, rows_[k].top, rows_[k].bottom, weight);
+    colors_.add(RoadColors::Side::beside, picture, right, stored_width_, rows_[k].top, rows_[k].bottom,
+                weight);
+  }
+}
+
+/// From the bottom of the picture to just below the horizon, evenly spaced; each is the mean of the pixel
+/// rows around it.
+void ColorRoad::lay_rows(const Shape& shape) {
+  const float bottom = static_cast<float>(stored_height_ - 1);
+  const float deepest = bottom - shape.horizon;
+  const float spacing = deepest * (1.0F - kFarthest) / static_cast<float>(rows_.size() - 1);
+  for (std::size_t k = 0; k < rows_.size(); ++k) {
+    Row& row = rows_[k];
+    row.row = bottom - spacing * static_cast<float>(k);
+    const float reach = 0.5F * std::min(spacing, 0.15F * (row.row - shape.horizon));
+    row.top = std::clamp(static_cast<int>(row.row - reach), 0, stored_height_ - 1);
+    row.bottom = std::clamp(static_cast<int>(row.row + reach) + 1, row.top + 1, stored_height_);
+  }
+}
+
+void ColorRoad::fill_profile(const ColorView& picture) {
+  for (std::size_t k = 0; k < rows_.size(); ++k)
+    profile_.fill(static_cast<int>(k), colors_, picture, rows_[k].top, rows_[k].bottom);
+}
+
+std::span<const FoundRoad> ColorRoad::search(const Shape& shape, bool acquiring) {
+  const float bottom = static_cast<float>(stored_height_ - 1);
+  const float middle = 0.5F * static_cast<float>(stored_width_);
+  const float vehicle = static_cast<float>(params_.definition_centre) * static_cast<float>(stored_width_);
+  for (std::size_t k = 0; k < rows_.size(); ++k) {
+    const float near = (rows_[k].row - shape.horizon) / (bottom - shape.horizon);
+    const int row = static_cast<int>(k);
+    const bool known = !acquiring && filter_.known(row);
+    expected_[k].middle_px = known ? filter_.middle_px(row) : middle + near * (vehicle - middle);
+    expected_[k].half_width_px = half_width(shape, k);
+  }
+  RoadSearchCosts costs;
+  costs.bend = static_cast<float>(params_.bend_cost);
+  if (acquiring) costs.stray = 0.0F;
+  return search_.find(profile_, expected_, acquiring ? kAcquireSteps : kFollowSteps, costs);
+}
+
+void ColorRoad::acquire(const ColorView& picture) {
+  Shape best = shape_;
+  float best_total = -1e9F;
+  const bool calibrated = std::isfinite(picture_.horizon_row_px);
+  for (std::size_t h = 0; h < (calibrated ? 1 : kHorizons.size()); ++h) {
+    Shape shape;
+    shape.horizon = calibrated ? static_cast<float>(picture_.horizon_row_px / picture_.shrink)
+                               : kHorizons[h] * static_cast<float>(stored_height_);
+    lay_rows(shape);
+    fill_profile(picture);
+    for (const float slope : kSlopes) {
+      shape.slope = slope;
+      search(shape, true);
+      // Wide roads are measured in wide units.
+      const float total = search_.total() * std::sqrt(slope);
+      if (total <= best_total) continue;
+      best_total = total;
+      best = shape;
+    }
+  }
+  shape_ = best;
+  lay_rows(shape_);
+  fill_profile(picture);
+  const auto found = search(shape_, true);
+  std::copy(found.begin(), found.end(), found_.begin());
+  confidence_ = judge(found_);
+  following_ = confidence_ >= static_cast<float>(params_.found_confidence);
+  filter_.reset();
+  if (following_) correct(found_);
+}
+
+void ColorRoad::follow(const RoadInput& input, const ColorView& picture) {
+  const FarMotion far =
+      far_motion_.find(input.flow, to_full(shape_.horizon), 0.08F * static_cast<float>(picture_.height_px));
+  const auto shrink = static_cast<float>(picture_.shrink);
+  shape_.horizon += far.dy_px / shrink;
+  filter_.predict(far.dx_px / shrink, static_cast<float>(params_.line_drift_per_s * std::sqrt(input.dt_s)));
+  lay_rows(shape_);
+  fill_profile(picture);
+  const auto found = search(shape_, false);
+  std::copy(found.begin(), found.end(), found_.begin());
+  const float gain = static_cast<float>(1.0 - std::exp(-input.dt_s / kConfidenceMemory_s));
+  confidence_ += gain * (judge(found_) - confidence_);
+  correct(found_);
+  adapt_shape(found_);
+  following_ = confidence_ >= static_cast<float>(params_.lost_confidence);
+}
+
+/// Mean contrast over the visible rows, each as wide as it is; counts the visible rows.
+float ColorRoad::judge(std::span<const FoundRoad> found) {
+  float sum = 0.0F, best = 0.0F;
+  visible_rows_ = 0;
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    sum += found[k].fit - kVisibleFit;
+    if (sum < best) continue;
+    best = sum;
+    visible_rows_ = static_cast<int>(k) + 1;
+  }
+  float contrast = 0.0F, weight = 1e-6F;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(visible_rows_); ++k) {
+    const bool whole = found[k].middle_px - found[k].half_width_px > 0.0F &&
+                       found[k].middle_px + found[k].half_width_px < static_cast<float>(stored_width_);
+    if (!whole) continue;
+    contrast += 0.5F * found[k].contrast;
+    weight += 1.0F;
+  }
+  return std::clamp(contrast / weight, 0.0F, 1.0F);
+}
+
+void ColorRoad::correct(std::span<const FoundRoad> found) {
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    const float expected = half_width(shape_, k);
+    const float fit = std::max(found[k].fit, 0.05F);
+    filter_.correct(static_cast<int>(k), found[k].middle_px, found[k].half_width_px, expected,
+                    kRowSigma / fit);
+  }
+}
+
+/// A straight line through the rows' half widths: where it is zero lies the horizon.
+void ColorRoad::adapt_shape(std::span<const FoundRoad> found) {
+  float n = 0.0F, y = 0.0F, w = 0.0F, yy = 0.0F, yw = 0.0F;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(visible_rows_); ++k) {
+    const bool whole = found[k].middle_px - found[k].half_width_px > 0.0F &&
+                       found[k].middle_px + found[k].half_width_px < static_cast<float>(stored_width_);
+    if (!whole || found[k].fit < kFits) continue;
+    const float half = found[k].half_width_px, row = rows_[k].row;
+    n += 1.0F, y += row, w += half, yy += row * row, yw += row * half;
+  }
+  const float spread = n * yy - y * y;
+  if (n < 5.0F || spread <= 0.0F) return;
+  const float slope = (n * yw - y * w) / spread;
+  if (slope < 0.3F * shape_.slope || slope > 3.0F * shape_.slope) return;
+  const float horizon = (y - w / slope) / n;
+  shape_.slope += kShapeGain * (slope - shape_.slope);
+  shape_.horizon +=
+      (std::isfinite(picture_.horizon_row_px) ? kCalibratedGain : kShapeGain) * (horizon - shape_.horizon);
+  shape_.horizon = std::clamp(shape_.horizon, -0.2F * static_cast<float>(stored_height_),
+                              0.8F * static_cast<float>(stored_height_));
+}
+
+void ColorRoad::tell(RoadEstimate& estimate) const {
+  estimate.status = following_ ? RoadStatus::following : RoadStatus::no_road;
+  estimate.confidence = static_cast<double>(confidence_);
+  estimate.horizon_row_px = static_cast<double>(to_full(shape_.horizon));
+  estimate.count = following_ ? visible_rows_ : 0;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(estimate.count); ++k) {
+    const int row = static_cast<int>(k);
+    const float half = half_width(shape_, k) * filter_.width_ratio(row), middle = filter_.middle_px(row);
+    estimate.row[k] = {to_full(rows_[k].row), to_full(middle - half), to_full(middle + half)};
+  }
+}
+
+}  // namespace hindsight

@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: 2026 The Hindsight authors
+// SPDX-License-Identifier: BSD-2-Clause
+//
+// The default road follower. What is known to be road, traced back, says how the road is coloured near and
+// far; what lies beside the road found so far says how that is coloured. The road is the path up the picture,
+// as wide as perspective wants, that has most of the one inside and most of the other beside; a filter
+// carries it over time.
+#pragma once
+
+#include <vector>
+
+#include "perception/definition_trace.h"
+#include "perception/far_motion.h"
+#include "perception/road_colors.h"
+#include "perception/road_estimate.h"
+#include "perception/road_input.h"
+#include "perception/road_line_filter.h"
+#include "perception/road_params.h"
+#include "perception/road_profile.h"
+#include "perception/road_search.h"
+
+namespace hindsight {
+
+/// No allocation after construction. Deterministic. Not thread-safe. Rows and columns inside are those of
+/// stored pictures.
+class ColorRoad {
+ public:
+  /// FatalError(kExitConfiguration) where the definition region does not lie in the picture.
+  ColorRoad(const RoadParams& params, const RoadPicture& picture, int history_depth);
+
+  /// Forgets the road: the stream of frames was interrupted.
+  void reset();
+  /// The history is long enough; to be called for each frame.
+  void update(const RoadInput& input, RoadEstimate& estimate);
+
+ private:
+  /// A flat road: half width = slope * (row - horizon).
+  struct Shape {
+    float horizon = 0.0F;
+    float slope = 1.0F;
+  };
+  struct Row {
+    float row = 0.0F;
+    int top = 0;
+    int bottom = 0;
+  };
+
+  void learn(const RoadInput& input, const ColorView& picture);
+  void learn_definition(const RoadInput& input, const ColorView& picture);
+  void learn_beside(const ColorView& picture);
+  void learn_beside_anything(const ColorView& picture);
+  void lay_rows(const Shape& shape);
+  void fill_profile(const ColorView& picture);
+  void follow(const RoadInput& input, const ColorView& picture);
+  void acquire(const ColorView& picture);
+  std::span<const FoundRoad> search(const Shape& shape, bool acquiring);
+  void adapt_shape(std::span<const FoundRoad> found);
+  void correct(std::span<const FoundRoad> found);
+  float judge(std::span<const FoundRoad> found);
+  void tell(RoadEstimate& estimate) const;
+  float half_width(const Shape& shape, std::size_t row) const;
+  float to_full(float stored) const;
+
+  RoadParams params_;
+  RoadPicture picture_;
+  int stored_width_;
+  int stored_height_;
+  DefinitionTrace definition_;
+  FarMotionFinder far_motion_;
+  RoadColors colors_;
+  RoadProfile profile_;
+  RoadSearch search_;
+  RoadLineFilter filter_;
+  Shape shape_;
+  std::vector<Row> rows_;
+  std::vector<ExpectedRoad> expected_;
+  std::vector<FoundRoad> found_;
+  bool following_ = false;
+  float confidence_ = 0.0F;
+  int visible_rows_ = 0;
+  int frames_ = 0;
+};
+
+}  // namespace hindsight
