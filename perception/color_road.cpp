@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace hindsight {
 namespace {
@@ -14,20 +15,32 @@ namespace {
 constexpr float kDefinitionCount = 400.0F, kTracedCount = 800.0F, kBesideCount = 60.0F;
 /// A traced strip is believed where it became narrower as perspective wants, up to this factor.
 constexpr float kMostOff = 1.4F;
-/// The farthest row, in parts of the way from the horizon to the bottom.
-constexpr float kFarthest = 0.035F;
+/// The farthest row, in parts of the way from the horizon to the bottom; above the horizon, as ground may rise.
+constexpr float kFarthest = -0.04F;
 /// Half widths per row below the horizon (half the road's width over the camera's height) that are tried
 /// where no road is known, and horizons in parts of the picture's height where the camera does not tell.
 constexpr std::array kSlopes{0.5F, 0.8F, 1.25F, 2.0F, 3.2F};
 constexpr std::array kHorizons{0.2F, 0.3F, 0.4F, 0.5F};
+/// No road is expected to be narrower than this half width, however far away.
+constexpr float kNarrowest = 2.5F;
 /// A row that fits worse than this neither corrects the filter nor teaches colours.
 constexpr float kFits = 0.3F;
 /// Standard deviations of a row's middle in half widths, where the fit is 1.
 constexpr float kRowSigma = 0.15F;
+/// Rows that fit worse than this are no more uncertain.
+constexpr float kLeastFit = 0.05F;
 /// How fast slope and horizon follow what the rows' widths say, each frame.
-constexpr float kShapeGain = 0.05F, kCalibratedGain = 0.01F;
+constexpr float kShapeGain = 0.05F, kCalibratedGain = 0.01F, kAcquireGain = 0.5F;
+/// How much of the horizon's swing is left a frame later: far things' motion tells how the vehicle pitches, but summed
+/// up for long it would run away.
+constexpr float kSwingKept = 0.9F;
+/// What the widths say of the horizon is not believed if it is so far off, in parts of the way down to the bottom.
+constexpr float kMostOffHorizon = 0.25F;
+constexpr int kAcquireRounds = 4;
 /// Where nothing else ends the road, it ends where rows fit worse than this.
-constexpr float kVisibleFit = 0.3F;
+constexpr float kVisibleFit = 0.5F;
+/// A road whose end is not seen goes on as straight as over so many rows.
+constexpr std::size_t kStraightRows = 5;
 /// Offsets tried, in profile columns to each side.
 constexpr int kSearchColumns = 360, kFollowSteps = 30, kAcquireSteps = 70;
 constexpr double kConfidenceMemory_s = 1.0;
@@ -68,7 +81,7 @@ float ColorRoad::to_full(float stored) const {
 }
 
 float ColorRoad::half_width(const Shape& shape, std::size_t row) const {
-  return std::max(1.0F, shape.slope * (rows_[row].row - shape.horizon));
+  return std::max(kNarrowest, shape.slope * (rows_[row].row - shape.horizon));
 }
 
 void ColorRoad::update(const RoadInput& input, RoadEstimate& estimate) {
@@ -163,7 +176,7 @@ void ColorRoad::lay_rows(const Shape& shape) {
   for (std::size_t k = 0; k < rows_.size(); ++k) {
     Row& row = rows_[k];
     row.row = bottom - spacing * static_cast<float>(k);
-    const float reach = 0.5F * std::min(spacing, 0.15F * (row.row - shape.horizon));
+    const float reach = 0.5F * std::min(spacing, 0.15F * std::max(0.0F, row.row - shape.horizon));
     row.top = std::clamp(static_cast<int>(row.row - reach), 0, stored_height_ - 1);
     row.bottom = std::clamp(static_cast<int>(row.row + reach) + 1, row.top + 1, stored_height_);
   }
@@ -181,14 +194,25 @@ std::span<const FoundRoad> ColorRoad::search(const Shape& shape, bool acquiring)
   for (std::size_t k = 0; k < rows_.size(); ++k) {
     const float near = (rows_[k].row - shape.horizon) / (bottom - shape.horizon);
     const int row = static_cast<int>(k);
-    const bool known = !acquiring && filter_.known(row);
-    expected_[k].middle_px = known ? filter_.middle_px(row) : middle + near * (vehicle - middle);
+    if (acquiring) {
+      expected_[k].middle_px = middle + near * (vehicle - middle);
+    } else {
+      expected_[k].middle_px = filter_.known(row) ? filter_.middle_px(row) : straight_on(k);
+    }
     expected_[k].half_width_px = half_width(shape, k);
   }
   RoadSearchCosts costs;
   costs.bend = static_cast<float>(params_.bend_cost);
   if (acquiring) costs.stray = 0.0F;
   return search_.find(profile_, expected_, acquiring ? kAcquireSteps : kFollowSteps, costs);
+}
+
+/// Where the road goes on if it does so straight, from what is expected of the rows below.
+float ColorRoad::straight_on(std::size_t row) const {
+  if (row < kStraightRows) return 0.5F * static_cast<float>(stored_width_);
+  const std::size_t last = row - 1, first = row - kStraightRows;
+  const float per_row = (expected_[last].middle_px - expected_[first].middle_px) / (rows_[last].row - rows_[first].row);
+  return expected_[last].middle_px + per_row * (rows_[row].row - rows_[last].row);
 }
 
 void ColorRoad::acquire(const ColorView& picture) {
@@ -212,11 +236,15 @@ void ColorRoad::acquire(const ColorView& picture) {
     }
   }
   shape_ = best;
-  lay_rows(shape_);
-  fill_profile(picture);
-  const auto found = search(shape_, true);
-  std::copy(found.begin(), found.end(), found_.begin());
-  confidence_ = judge(found_);
+  swing_ = 0.0F;
+  for (int round = 0; round < kAcquireRounds; ++round) {
+    lay_rows(shape_);
+    fill_profile(picture);
+    const auto found = search(shape_, true);
+    refine(found);
+    confidence_ = judge(found_);
+    if (round + 1 < kAcquireRounds) adapt_shape(found_, kAcquireGain);
+  }
   following_ = confidence_ >= static_cast<float>(params_.found_confidence);
   filter_.reset();
   if (following_) correct(found_);
@@ -226,17 +254,22 @@ void ColorRoad::follow(const RoadInput& input, const ColorView& picture) {
   const FarMotion far =
       far_motion_.find(input.flow, to_full(shape_.horizon), 0.08F * static_cast<float>(picture_.height_px));
   const auto shrink = static_cast<float>(picture_.shrink);
-  shape_.horizon += far.dy_px / shrink;
+  const float swing = kSwingKept * (swing_ + far.dy_px / shrink);
+  shape_.horizon += swing - std::exchange(swing_, swing);
   filter_.predict(far.dx_px / shrink, static_cast<float>(params_.line_drift_per_s * std::sqrt(input.dt_s)));
   lay_rows(shape_);
   fill_profile(picture);
-  const auto found = search(shape_, false);
-  std::copy(found.begin(), found.end(), found_.begin());
+  refine(search(shape_, false));
   const float gain = static_cast<float>(1.0 - std::exp(-input.dt_s / kConfidenceMemory_s));
   confidence_ += gain * (judge(found_) - confidence_);
   correct(found_);
-  adapt_shape(found_);
+  adapt_shape(found_, std::isfinite(picture_.horizon_row_px) ? kCalibratedGain : kShapeGain);
   following_ = confidence_ >= static_cast<float>(params_.lost_confidence);
+}
+
+void ColorRoad::refine(std::span<const FoundRoad> found) {
+  for (std::size_t k = 0; k < found.size(); ++k)
+    found_[k] = refine_road(profile_, static_cast<int>(k), found[k], expected_[k].half_width_px);
 }
 
 /// Mean contrast over the visible rows, each as wide as it is; counts the visible rows.
@@ -251,9 +284,7 @@ float ColorRoad::judge(std::span<const FoundRoad> found) {
   }
   float contrast = 0.0F, weight = 1e-6F;
   for (std::size_t k = 0; k < static_cast<std::size_t>(visible_rows_); ++k) {
-    const bool whole = found[k].middle_px - found[k].half_width_px > 0.0F &&
-                       found[k].middle_px + found[k].half_width_px < static_cast<float>(stored_width_);
-    if (!whole) continue;
+    if (!whole(found[k])) continue;
     contrast += 0.5F * found[k].contrast;
     weight += 1.0F;
   }
@@ -262,33 +293,37 @@ float ColorRoad::judge(std::span<const FoundRoad> found) {
 
 void ColorRoad::correct(std::span<const FoundRoad> found) {
   for (std::size_t k = 0; k < found.size(); ++k) {
-    const float expected = half_width(shape_, k);
-    const float fit = std::max(found[k].fit, 0.05F);
-    filter_.correct(static_cast<int>(k), found[k].middle_px, found[k].half_width_px, expected,
-                    kRowSigma / fit);
+    const int row = static_cast<int>(k);
+    if (row >= visible_rows_) {
+      filter_.forget(row);
+      continue;
+    }
+    filter_.correct(row, found[k].middle_px, found[k].half_width_px, half_width(shape_, k),
+                    kRowSigma / std::max(found[k].fit, kLeastFit));
   }
 }
 
 /// A straight line through the rows' half widths: where it is zero lies the horizon.
-void ColorRoad::adapt_shape(std::span<const FoundRoad> found) {
+void ColorRoad::adapt_shape(std::span<const FoundRoad> found, float horizon_gain) {
   float n = 0.0F, y = 0.0F, w = 0.0F, yy = 0.0F, yw = 0.0F;
   for (std::size_t k = 0; k < static_cast<std::size_t>(visible_rows_); ++k) {
-    const bool whole = found[k].middle_px - found[k].half_width_px > 0.0F &&
-                       found[k].middle_px + found[k].half_width_px < static_cast<float>(stored_width_);
-    if (!whole || found[k].fit < kFits) continue;
+    if (!whole(found[k]) || found[k].fit < kFits) continue;
     const float half = found[k].half_width_px, row = rows_[k].row;
     n += 1.0F, y += row, w += half, yy += row * row, yw += row * half;
   }
   const float spread = n * yy - y * y;
   if (n < 5.0F || spread <= 0.0F) return;
   const float slope = (n * yw - y * w) / spread;
-  if (slope < 0.3F * shape_.slope || slope > 3.0F * shape_.slope) return;
-  const float horizon = (y - w / slope) / n;
-  shape_.slope += kShapeGain * (slope - shape_.slope);
-  shape_.horizon +=
-      (std::isfinite(picture_.horizon_row_px) ? kCalibratedGain : kShapeGain) * (horizon - shape_.horizon);
-  shape_.horizon = std::clamp(shape_.horizon, -0.2F * static_cast<float>(stored_height_),
-                              0.8F * static_cast<float>(stored_height_));
+  const float off = (y - w / slope) / n - shape_.horizon;
+  const float deepest = static_cast<float>(stored_height_ - 1) - shape_.horizon;
+  if (slope < 0.3F * shape_.slope || slope > 3.0F * shape_.slope || std::abs(off) > kMostOffHorizon * deepest) return;
+  shape_.slope += std::max(horizon_gain, kShapeGain) * (slope - shape_.slope);
+  shape_.horizon += horizon_gain * off;
+}
+
+bool ColorRoad::whole(const FoundRoad& road) const {
+  return road.middle_px - road.half_width_px > 0.0F &&
+         road.middle_px + road.half_width_px < static_cast<float>(stored_width_);
 }
 
 void ColorRoad::tell(RoadEstimate& estimate) const {

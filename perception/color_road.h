@@ -52,9 +52,12 @@ class ColorRoad {
   void lay_rows(const Shape& shape);
   void fill_profile(const ColorView& picture);
   void follow(const RoadInput& input, const ColorView& picture);
+  float straight_on(std::size_t row) const;
   void acquire(const ColorView& picture);
   std::span<const FoundRoad> search(const Shape& shape, bool acquiring);
-  void adapt_shape(std::span<const FoundRoad> found);
+  void refine(std::span<const FoundRoad> found);
+  void adapt_shape(std::span<const FoundRoad> found, float horizon_gain);
+  bool whole(const FoundRoad& road) const;
   void correct(std::span<const FoundRoad> found);
   float judge(std::span<const FoundRoad> found);
   void tell(RoadEstimate& estimate) const;
@@ -72,6 +75,7 @@ class ColorRoad {
   RoadSearch search_;
   RoadLineFilter filter_;
   Shape shape_;
+  float swing_ = 0.0F;  ///< of the horizon, beside where it lies for long
   std::vector<Row> rows_;
   std::vector<ExpectedRoad> expected_;
   std::vector<FoundRoad> found_;

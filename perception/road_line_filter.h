@@ -21,6 +21,9 @@ class RoadLineFilter {
   /// A measurement in one row with its standard deviation in half widths.
   void correct(int row, float middle_px, float half_width_px, float expected_half_width_px, float sigma);
 
+  /// What a row was is not known any more.
+  void forget(int row) { states_[static_cast<std::size_t>(row)] = {}; }
+
   bool known(int row) const { return states_[static_cast<std::size_t>(row)].known; }
   float middle_px(int row) const { return states_[static_cast<std::size_t>(row)].middle_px; }
   /// Of the expected half width.

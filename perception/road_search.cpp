@@ -15,6 +15,8 @@ constexpr float kBeside = 1.0F;
 /// steps.
 constexpr float kMostBend = 0.35F;
 constexpr int kMostBendSteps = 6;
+/// An edge is refined within this part of the half width; the further, the more it must gain.
+constexpr float kRefine = 0.15F, kRefineCost = 0.5F;
 
 std::array<float, 2 * RoadSearch::kWidthSteps + 1> width_factors() {
   std::array<float, 2 * RoadSearch::kWidthSteps + 1> factors{};
@@ -37,6 +39,23 @@ FoundRoad judge_road(const RoadProfile& profile, int row, float middle_px, float
       profile.between(row, left - beside_px, left) + profile.between(row, right, right + beside_px);
   return {middle_px, half_width_px, (inside - beside) / (2.0F * expected_half_width_px),
           inside / (2.0F * half_width_px) - beside / (2.0F * beside_px)};
+}
+
+FoundRoad refine_road(const RoadProfile& profile, int row, const FoundRoad& road, float expected_half_width_px) {
+  const float left = road.middle_px - road.half_width_px, right = road.middle_px + road.half_width_px;
+  const float reach = std::floor(kRefine * road.half_width_px);
+  float best_left = left, best_right = right, most_left = 0.0F, most_right = 0.0F;
+  for (float by = -reach; by <= reach; by += 1.0F) {
+    // What the road gains if its edge moves outwards by so much.
+    const float pull = kRefineCost * by * by / road.half_width_px;
+    const float gain_left = by > 0.0F ? profile.between(row, left - by, left) : -profile.between(row, left, left - by);
+    const float gain_right = by > 0.0F ? profile.between(row, right, right + by) : -profile.between(row, right + by, right);
+    if (left > 0.0F && gain_left - pull > most_left) most_left = gain_left - pull, best_left = left - by;
+    if (right < static_cast<float>(profile.width_px()) && gain_right - pull > most_right)
+      most_right = gain_right - pull, best_right = right + by;
+  }
+  return judge_road(profile, row, 0.5F * (best_left + best_right), 0.5F * (best_right - best_left),
+                    expected_half_width_px);
 }
 
 RoadSearch::RoadSearch(int rows, int step_px, int most_steps)
@@ -72,9 +91,10 @@ void RoadSearch::score_row(const RoadProfile& profile, int row, const ExpectedRo
     const float stray = offset_px / expected.half_width_px;
     for (int j = 0; j < kWidths; ++j) {
       const float half_px = kFactors[static_cast<std::size_t>(j)] * expected.half_width_px;
+      const auto steps_off = static_cast<float>(j - kWidthSteps);
       fit_[state(i, j)] =
           judge_road(profile, row, expected.middle_px + offset_px, half_px, expected.half_width_px).fit -
-          costs.stray * stray * stray;
+          costs.stray * stray * stray - costs.odd_width * steps_off * steps_off;
     }
   }
 }

@@ -17,6 +17,7 @@
 #include "tools/bench_motion.h"
 #include "tools/bench_robot.h"
 #include "tools/bench_segment.h"
+#include "tools/bench_templates.h"
 #include "tools/builtin_config.h"
 #include "tools/image_folder.h"
 
@@ -83,6 +84,8 @@ nlohmann::ordered_json measure(const BenchOptions& options) {
   const FlowBench flow = bench_flow(frames, thesis.flow, thesis.flow_history, standard.flow, standard.flow_history);
   const SegmentBench segment = bench_segment(frames);
   const DstarBench dstar = bench_dstar();
+  const TemplateBench templates = bench_templates(frames);
+  const double road_ms = bench_road_ms(frames);
   result["tick_over_opencv_flow"] = {{"thesis", tick.tick_thesis_ms / tick.opencv_thesis_ms},
                                      {"default", tick.tick_default_ms / tick.opencv_default_ms}};
   result["flow_over_opencv_flow"] = {{"thesis", flow.thesis_ms / flow.opencv_ms},
@@ -90,6 +93,9 @@ nlohmann::ordered_json measure(const BenchOptions& options) {
   result["segment_over_memcpy"] = segment.steady_over_memcpy();
   result["segment_after_change_over_memcpy"] = segment.changed_over_memcpy();
   result["segment_speedup_over_cv_em"] = segment.speedup_over_em();
+  result["templates_over_opencv"] = templates.over_opencv();
+  result["templates_largest_difference"] = templates.largest_difference;
+  result["road_frames_per_s"] = 1e3 / road_ms;
   result["dstar_speedup_weighted"] = dstar.dstar_speedup_weighted;
   result["dstar_speedup_uniform"] = dstar.dstar_speedup_uniform;
   result["dstar_worst_over_scratch"] = dstar.dstar_worst_over_scratch;
@@ -102,7 +108,9 @@ nlohmann::ordered_json measure(const BenchOptions& options) {
                   {"tick_default", tick.tick_default_ms},     {"flow_thesis", flow.thesis_ms},
                   {"flow_default", flow.default_ms},          {"memcpy_frame", segment.memcpy_ms},
                   {"segment", segment.segment_steady_ms},     {"segment_after_change", segment.segment_changed_ms},
-                  {"cv_em_predict", segment.em_predict_ms},   {"dstar_repair", dstar.repair_weighted_us * 1e-3},
+                  {"cv_em_predict", segment.em_predict_ms},
+                  {"opencv_templates", templates.opencv_ms}, {"templates", templates.ours_ms}, {"road", road_ms},
+                    {"dstar_repair", dstar.repair_weighted_us * 1e-3},
                   {"bucket_astar", dstar.astar_weighted_us * 1e-3}};
   return result;
 }
