@@ -9,6 +9,11 @@ namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
+Mode mode_of(const std::string& name) {
+  if (name == "road") return Mode::road;
+  return name == "drive" ? Mode::drive : Mode::watch;
+}
+
 }  // namespace
 
 Robot::Robot(const RobotSetup& setup)
@@ -20,11 +25,12 @@ Robot::Robot(const RobotSetup& setup)
       grid_(configuration_.evidence_grid),
       window_costs_(static_cast<std::size_t>(configuration_.evidence_grid.size_cells) *
                     static_cast<std::size_t>(configuration_.evidence_grid.size_cells)),
+      road_guide_(configuration_.road.look_ahead_m),
       navigator_(configuration_.planning, configuration_.vehicle, configuration_.evidence_grid.size_cells,
                  configuration_.evidence_grid.resolution_m),
       failsafe_(configuration_.failsafe),
       telemetry_(configuration_),
-      mode_(configuration_.robot.mode == "drive" ? Mode::drive : Mode::watch) {
+      mode_(mode_of(configuration_.robot.mode)) {
   if (configuration_.motion.enabled) motion_.emplace(configuration_, setup.camera);
 }
 
@@ -64,7 +70,7 @@ void Robot::obey(const TickInput& input) {
         goal_W_ = localisation_.local_of(command.a, command.b);
         break;
       case CommandKind::set_mode:
-        if (command.a == 0.0 || command.a == 1.0) mode_ = static_cast<Mode>(static_cast<int>(command.a));
+        if (permits(command.a)) mode_ = static_cast<Mode>(static_cast<int>(command.a));
         break;
       case CommandKind::save_model:
         save_requested_ = true;
@@ -78,6 +84,11 @@ void Robot::obey(const TickInput& input) {
         break;  // the fail-safe's
     }
   }
+}
+
+/// A mode's number; the road can be followed only where it is looked for.
+bool Robot::permits(double mode) const {
+  return mode == 0.0 || mode == 1.0 || (mode == 2.0 && sight_.road() != nullptr);
 }
 
 bool Robot::see_and_learn(const TickInput& input) {
@@ -121,6 +132,11 @@ StopReason Robot::judge(const TickInput& input) {
   return reason == StopReason::none && mode_ == Mode::watch ? StopReason::watching : reason;
 }
 
+std::optional<Point2> Robot::goal_to_reach() {
+  if (mode_ != Mode::road) return goal_W_;
+  return road_guide_.goal_W(localisation_.estimate().X_WB, sight_.road_on_ground(), goal_W_, plan_.behaviour);
+}
+
 void Robot::plan(const TickInput& input, bool motion_permitted) {
   const PoseEstimate& pose = localisation_.estimate();
   const VehicleSignals& vehicle = sensed_.vehicle;
@@ -133,7 +149,7 @@ void Robot::plan(const TickInput& input, bool motion_permitted) {
                            .window_moved = window_moved_,
                            .window_costs = window_costs_,
                            .changes = grid_.changes(),
-                           .goal_W = goal_W_,
+                           .goal_W = goal_to_reach(),
                            .bumper_left = sensed_.was_touched(Line::bumper_left),
                            .bumper_right = sensed_.was_touched(Line::bumper_right),
                            .slip = sensed_.slipping,

@@ -16,6 +16,7 @@
 #include "daemon/motion_sense.h"
 #include "daemon/outbox.h"
 #include "daemon/reflex.h"
+#include "daemon/road_guide.h"
 #include "daemon/robot_config.h"
 #include "daemon/senses.h"
 #include "daemon/sight.h"
@@ -63,9 +64,11 @@ class Robot {
  private:
   void localise(const TickInput& input);
   void obey(const TickInput& input);
+  bool permits(double mode) const;
   bool see_and_learn(const TickInput& input);
   void update_map(bool new_frame);
   StopReason judge(const TickInput& input);
+  std::optional<Point2> goal_to_reach();
   void plan(const TickInput& input, bool motion_permitted);
   void publish(const TickInput& input, bool new_frame, const Decision& decision, Outbox& outbox);
   TrainingInput training_input(bool new_frame) const;
@@ -78,6 +81,7 @@ class Robot {
   std::optional<MotionSense> motion_;
   EvidenceGrid grid_;
   std::vector<CellCost> window_costs_;
+  RoadGuide road_guide_;
   Navigator navigator_;
   Failsafe failsafe_;
   Telemetry telemetry_;

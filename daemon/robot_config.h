@@ -45,7 +45,8 @@ struct RobotParams {
   double watchdog_s = 1.0;
 
   void visit(auto&& param) {
-    param("mode", mode, Choices{"watch", "drive"}, "watch: see and learn, never drive; drive: go to the goal");
+    param("mode", mode, Choices{"watch", "drive", "road"},
+          "watch: see and learn, never drive; drive: go to the goal; road: follow the road, to the goal if there is one");
     param("calibration", calibration, AnyText{}, "camera calibration in OpenCV's YAML, relative to this file");
     param("learning", learning, YesNo{}, "train the mixture; off: it stays as loaded");
     param("model_file", model_file, AnyText{}, "where the learned mixture outlives the process; empty: nowhere");

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 
 #include "daemon/robot_config.h"
@@ -16,6 +17,8 @@
 #include "perception/flow_history.h"
 #include "perception/ground_plane.h"
 #include "perception/optical_flow.h"
+#include "perception/road_follower.h"
+#include "perception/road_ground.h"
 #include "perception/segmenter.h"
 
 namespace hindsight {
@@ -38,11 +41,17 @@ class Sight {
   std::span<const TerrainClass> labels() const { return labels_; }
   std::array<int, kLabelCount + 1> label_counts() const { return segmenter_.class_counts(); }
   std::span<const GroundVote> votes() const { return votes_; }
+  /// Null where the road is not looked for.
+  const RoadFollower* road() const { return road_ ? &*road_ : nullptr; }
+  /// Empty, too, where none is seen.
+  const RoadOnGround& road_on_ground() const { return road_on_ground_; }
 
  private:
   bool interrupted(const Frame& frame) const;
   void forget();
+  void follow_road(Time dt);
 
+  CameraModel camera_;
   int width_px_;
   int height_px_;
   OpticalFlow flow_;
@@ -57,6 +66,8 @@ class Sight {
   std::span<const FlowVector> vectors_;
   std::span<const TerrainClass> labels_;
   std::span<const GroundVote> votes_;
+  std::optional<RoadFollower> road_;
+  RoadOnGround road_on_ground_;
 };
 
 }  // namespace hindsight

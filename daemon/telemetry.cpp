@@ -11,6 +11,7 @@
 #include <hindsight/mixture_t.hpp>
 #include <hindsight/perception_t.hpp>
 #include <hindsight/plan_t.hpp>
+#include <hindsight/road_t.hpp>
 #include <hindsight/slip_t.hpp>
 #include <hindsight/state_t.hpp>
 #include <hindsight/timing_t.hpp>
@@ -26,6 +27,7 @@ constexpr std::size_t kLongestPath = 8192;
 constexpr std::size_t kMostRollouts = 512;
 constexpr std::uint64_t kActivityEveryTicks = 50;
 constexpr std::size_t kMostActivityCells = 2000;  ///< that fit into a message
+constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 
 template <typename To, typename From>
 To number(From value) {
@@ -66,6 +68,7 @@ struct Telemetry::Messages {
   mixture_t mixture{};
   grid_t grid{};
   plan_t plan{};
+  road_t road{};
   slip_t slip{};
   timing_t timing{};
   tracks_t tracks{};
@@ -73,7 +76,9 @@ struct Telemetry::Messages {
 };
 
 Telemetry::Telemetry(const Configuration& configuration)
-    : params_(configuration.telemetry), messages_(std::make_unique<Messages>()) {
+    : params_(configuration.telemetry),
+      look_ahead_m_(configuration.road.look_ahead_m),
+      messages_(std::make_unique<Messages>()) {
   plan_t& plan = messages_->plan;
   for (auto* path : {&plan.path_east_m, &plan.path_north_m}) path->reserve(kLongestPath);
   for (auto* rollouts : {&plan.end_east_m, &plan.end_north_m, &plan.score}) rollouts->reserve(kMostRollouts);
@@ -84,6 +89,9 @@ Telemetry::Telemetry(const Configuration& configuration)
     for (auto* list : {&activity.speed_m, &activity.direction_rad, &activity.share}) list->reserve(kMostActivityCells);
     activity.total.reserve(kMostActivityCells);
   }
+  road_t& road = messages_->road;
+  for (auto* values : {&road.row_px, &road.left_px, &road.right_px, &road.ahead_m, &road.left_m, &road.right_m})
+    values->reserve(kMostRoadRows);
   messages_->mixture.components.reserve(number<std::size_t>(configuration.mixture.max_components));
   messages_->mixture.color_space = configuration.mixture.color_space;
 }
@@ -97,7 +105,8 @@ void Telemetry::publish(const TickReport& tick, Outbox& outbox) {
   for (const Lesson& lesson : tick.learner.lessons()) publish_training(tick, lesson, outbox);
   if (tick.learner.mixture().version() != mixture_version_) publish_mixture(tick, outbox);
   if (tick.input.index % number<std::uint64_t>(params_.grid_every_ticks) == 0) publish_grid(tick, outbox);
-  if (tick.goal_W) publish_plan(tick, outbox);
+  if (tick.goal_W || tick.mode == Mode::road) publish_plan(tick, outbox);
+  publish_road(tick, outbox);
   publish_slip(tick, outbox);
   if (tick.motion != nullptr && tick.new_frame) publish_tracks(tick, outbox);
   if (tick.motion != nullptr && tick.input.index % kActivityEveryTicks == 0) publish_activity(tick, outbox);
@@ -264,6 +273,38 @@ void Telemetry::publish_plan(const TickReport& tick, Outbox& outbox) {
   m.chosen = number<std::int16_t>(tick.plan.chosen);
   m.expansions = tick.plan.expansions;
   outbox.add("HINDSIGHT_PLAN", m.utime, m);
+}
+
+void Telemetry::publish_road(const TickReport& tick, Outbox& outbox) {
+  const RoadFollower* follower = tick.sight.road();
+  if (!tick.new_frame || follower == nullptr) return;
+  road_t& m = messages_->road;
+  const RoadEstimate& road = follower->estimate();
+  const RoadOnGround& ground = tick.sight.road_on_ground();
+  const std::optional<Point2> ahead_B = point_ahead_B(ground, look_ahead_m_);
+  m.utime = tick.input.utime_us;
+  m.tick = number<std::int64_t>(tick.input.index);
+  m.status = number<std::int8_t>(road.status);
+  m.confidence = number<float>(road.confidence);
+  m.horizon_px = number<float>(road.horizon_row_px);
+  m.bearing_rad = ahead_B ? number<float>(std::atan2(ahead_B->y_m, ahead_B->x_m)) : kNan;
+  m.curvature_per_m = ahead_B ? number<float>(curvature_to_per_m(*ahead_B)) : kNan;
+  m.rows = number<std::int16_t>(road.count);
+  for (auto* values : {&m.row_px, &m.left_px, &m.right_px}) values->resize(road.rows().size());
+  for (std::size_t i = 0; i < road.rows().size(); ++i) {
+    m.row_px[i] = road.rows()[i].row_px;
+    m.left_px[i] = road.rows()[i].left_px;
+    m.right_px[i] = road.rows()[i].right_px;
+  }
+  m.sections = number<std::int16_t>(ground.count);
+  for (auto* values : {&m.ahead_m, &m.left_m, &m.right_m}) values->resize(ground.sections().size());
+  for (std::size_t i = 0; i < ground.sections().size(); ++i) {
+    const RoadSection& section = ground.sections()[i];
+    m.ahead_m[i] = number<float>(section.middle_B().x_m);
+    m.left_m[i] = number<float>(section.left_B.y_m);
+    m.right_m[i] = number<float>(section.right_B.y_m);
+  }
+  outbox.add("HINDSIGHT_ROAD", m.utime, m);
 }
 
 void Telemetry::publish_slip(const TickReport& tick, Outbox& outbox) {

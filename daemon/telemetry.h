@@ -57,12 +57,14 @@ class Telemetry {
   void publish_mixture(const TickReport& tick, Outbox& outbox);
   void publish_grid(const TickReport& tick, Outbox& outbox);
   void publish_plan(const TickReport& tick, Outbox& outbox);
+  void publish_road(const TickReport& tick, Outbox& outbox);
   void publish_slip(const TickReport& tick, Outbox& outbox);
   void publish_tracks(const TickReport& tick, Outbox& outbox);
   void publish_activity(const TickReport& tick, Outbox& outbox);
   void publish_timing(const TickReport& tick, Outbox& outbox);
 
   TelemetryParams params_;
+  double look_ahead_m_;
   std::unique_ptr<Messages> messages_;
   std::uint64_t mixture_version_ = 0;
   std::uint64_t activity_total_ = 0;

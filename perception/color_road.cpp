@@ -13,6 +13,8 @@ namespace {
 /// Pixels that a frame's strip, a traced strip, and what lies beside one row count as, so that near and far
 /// count alike.
 constexpr float kDefinitionCount = 400.0F, kTracedCount = 800.0F, kBesideCount = 60.0F;
+/// And the band above the horizon, in parts of the way from there to the bottom.
+constexpr float kAboveCount = 100.0F, kAboveFrom = 0.15F, kAboveTo = 0.05F;
 /// A traced strip is believed where it became narrower as perspective wants, up to this factor.
 constexpr float kMostOff = 1.4F;
 /// The farthest row, in parts of the way from the horizon to the bottom; above the horizon, as ground may rise.
@@ -37,12 +39,18 @@ constexpr float kSwingKept = 0.9F;
 /// What the widths say of the horizon is not believed if it is so far off, in parts of the way down to the bottom.
 constexpr float kMostOffHorizon = 0.25F;
 constexpr int kAcquireRounds = 4;
+/// A road is looked for anew once in so many frames: it takes ten times as long as following one.
+constexpr int kAcquireEvery = 5;
 /// Where nothing else ends the road, it ends where rows fit worse than this.
 constexpr float kVisibleFit = 0.5F;
+/// Or, where little stands out anyway, than this part of how the near half of the rows does.
+constexpr float kVisibleShare = 0.4F;
 /// A road whose end is not seen goes on as straight as over so many rows.
 constexpr std::size_t kStraightRows = 5;
 /// Offsets tried, in profile columns to each side.
 constexpr int kSearchColumns = 360, kFollowSteps = 30, kAcquireSteps = 70;
+/// Ground that begins lower, in picture heights, is too little to see a road on.
+constexpr double kLowestHorizon = 0.9;
 constexpr double kConfidenceMemory_s = 1.0;
 
 int stored_size(int full_px, int shrink) { return full_px / shrink; }
@@ -85,11 +93,16 @@ float ColorRoad::half_width(const Shape& shape, std::size_t row) const {
 }
 
 void ColorRoad::update(const RoadInput& input, RoadEstimate& estimate) {
+  if (picture_.horizon_row_px > kLowestHorizon * picture_.height_px) {
+    estimate.status = RoadStatus::no_horizon;
+    estimate.horizon_row_px = picture_.horizon_row_px;
+    return;
+  }
   const ColorView picture{input.appearance.picture(0), stored_width_, stored_height_};
   learn(input, picture);
   if (following_) {
     follow(input, picture);
-  } else {
+  } else if (frames_ % kAcquireEvery == 0) {
     acquire(picture);
   }
   tell(estimate);
@@ -100,6 +113,7 @@ void ColorRoad::learn(const RoadInput& input, const ColorView& picture) {
   learn_definition(input, picture);
   if (following_) {
     learn_beside(picture);
+    learn_above(picture);
   } else {
     learn_beside_anything(picture);
   }
@@ -148,6 +162,16 @@ void ColorRoad::learn_beside(const ColorView& picture) {
     add(road.middle_px - 2.2F * half, road.middle_px - 1.2F * half);
     add(road.middle_px + 1.2F * half, road.middle_px + 2.2F * half);
   }
+}
+
+/// What stands above the horizon is no road.
+void ColorRoad::learn_above(const ColorView& picture) {
+  const float deepest = static_cast<float>(stored_height_ - 1) - shape_.horizon;
+  const int top = std::max(0, static_cast<int>(shape_.horizon - kAboveFrom * deepest));
+  const int bottom = static_cast<int>(shape_.horizon - kAboveTo * deepest);
+  if (bottom <= top) return;
+  colors_.add(RoadColors::Side::beside, picture, 0, stored_width_, top, bottom,
+              kAboveCount / static_cast<float>(stored_width_ * (bottom - top)));
 }
 
 /// Where nothing is known, the sides of the picture below the horizon: some road among it does little harm,
@@ -274,10 +298,13 @@ void ColorRoad::refine(std::span<const FoundRoad> found) {
 
 /// Mean contrast over the visible rows, each as wide as it is; counts the visible rows.
 float ColorRoad::judge(std::span<const FoundRoad> found) {
+  float near = 0.0F;
+  for (std::size_t k = 0; k < found.size() / 2; ++k) near += found[k].fit / static_cast<float>(found.size() / 2);
+  const float least = std::min(kVisibleFit, kVisibleShare * near);
   float sum = 0.0F, best = 0.0F;
   visible_rows_ = 0;
   for (std::size_t k = 0; k < found.size(); ++k) {
-    sum += found[k].fit - kVisibleFit;
+    sum += found[k].fit - least;
     if (sum < best) continue;
     best = sum;
     visible_rows_ = static_cast<int>(k) + 1;

@@ -30,7 +30,7 @@ class ColorRoad {
 
   /// Forgets the road: the stream of frames was interrupted.
   void reset();
-  /// The history is long enough; to be called for each frame.
+  /// To be called for each frame.
   void update(const RoadInput& input, RoadEstimate& estimate);
 
  private:
@@ -48,6 +48,7 @@ class ColorRoad {
   void learn(const RoadInput& input, const ColorView& picture);
   void learn_definition(const RoadInput& input, const ColorView& picture);
   void learn_beside(const ColorView& picture);
+  void learn_above(const ColorView& picture);
   void learn_beside_anything(const ColorView& picture);
   void lay_rows(const Shape& shape);
   void fill_profile(const ColorView& picture);

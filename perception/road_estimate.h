@@ -13,7 +13,7 @@ namespace hindsight {
 /// Numbers are published and logged: append, never renumber.
 enum class RoadStatus : std::uint8_t {
   short_history = 0,  ///< less has been seen than RoadParams::min_history_s
-  no_horizon = 1,     ///< no horizon in view: how far things are cannot be told
+  no_horizon = 1,     ///< no horizon, or no ground below it, in view: how far things are cannot be told
   no_road = 2,        ///< nothing stands out as a road here
   following = 3
 };

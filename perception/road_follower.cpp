@@ -23,13 +23,12 @@ void RoadFollower::reset() {
 }
 
 const RoadEstimate& RoadFollower::update(const RoadInput& input) {
-  if (auto* templates = std::get_if<TemplateRoad>(&method_)) templates->watch(input);
   seen_s_ += input.dt_s;
-  if (seen_s_ < params_.min_history_s) {
-    estimate_ = {};
-    return estimate_;
-  }
   std::visit([&](auto& method) { method.update(input, estimate_); }, method_);
+  if (seen_s_ < params_.min_history_s) {
+    estimate_.status = RoadStatus::short_history;
+    estimate_.count = 0;
+  }
   return estimate_;
 }
 

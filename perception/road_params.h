@@ -32,6 +32,7 @@ struct RoadParams {
   double line_drift_per_s = 0.25;
   double lost_confidence = 0.12;
   double found_confidence = 0.2;
+  double look_ahead_m = 5.0;
 
   void visit(auto&& param) {
     param("enabled", enabled, YesNo{}, "look for the road; costs nothing when off");
@@ -69,6 +70,7 @@ struct RoadParams {
           "how far the middle wanders, one standard deviation, in the road's half widths a root second");
     param("lost_confidence", lost_confidence, Range{0.0, 1.0}, "no road here below this confidence");
     param("found_confidence", found_confidence, Range{0.0, 1.0}, "a lost road is there again from this on");
+    param("look_ahead_m", look_ahead_m, Range{1.0, 50.0}, "mode road drives to its middle so far ahead [m]");
   }
 };
 

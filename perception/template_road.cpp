@@ -53,11 +53,6 @@ void TemplateRoad::reset() {
   frames_ = 0;
 }
 
-void TemplateRoad::watch(const RoadInput& input) {
-  newest_ = (newest_ + 1) % static_cast<int>(horizons_px_.size());
-  find_horizon(input);
-}
-
 float TemplateRoad::horizon_px(int frames_back) const {
   const int size = static_cast<int>(horizons_px_.size());
   return horizons_px_[static_cast<std::size_t>((newest_ - frames_back + size) % size)];
@@ -83,17 +78,18 @@ void TemplateRoad::find_horizon(const RoadInput& input) {
 }
 
 void TemplateRoad::update(const RoadInput& input, RoadEstimate& estimate) {
+  newest_ = (newest_ + 1) % static_cast<int>(horizons_px_.size());
+  find_horizon(input);
   estimate.horizon_row_px = static_cast<double>(horizon_px(0));
+  estimate.confidence = 0.0;
   estimate.count = 0;
-  if (!std::isfinite(horizon_px(0))) {
-    estimate.status = RoadStatus::no_horizon;
-    estimate.confidence = 0.0;
-    return;
-  }
   if (frames_++ % params_.refresh_frames == 0) refresh(input);
   search(input);
-  estimate.status = lines_.empty() ? RoadStatus::no_road : RoadStatus::following;
-  if (lines_.empty()) return;
+  if (lines_.empty()) {
+    estimate.status = std::isfinite(horizon_px(0)) ? RoadStatus::no_road : RoadStatus::no_horizon;
+    return;
+  }
+  estimate.status = RoadStatus::following;
   find_path();
   const auto shrink = static_cast<float>(picture_.shrink);
   const RoadStrip& region = definition_.region();
@@ -138,7 +134,9 @@ void TemplateRoad::search(const RoadInput& input) {
   lines_.clear();
   for (Template& t : templates_) {
     if (!t.taken) continue;
-    const float top_px = t.strip.top_px + horizon_px(0) - t.horizon_px;
+    // Without a horizon in view nothing is known of the pitch.
+    const float pitch_px = horizon_px(0) - t.horizon_px;
+    const float top_px = t.strip.top_px + (std::isfinite(pitch_px) ? pitch_px : 0.0F);
     const int top = static_cast<int>(std::lround(top_px / shrink));
     if (top < 0 || top + t.row.height_px() > stored_height_) continue;
     const auto response = t.row.search(picture, top, match_);

@@ -25,9 +25,7 @@ class TemplateRoad {
   TemplateRoad(const RoadParams& params, const RoadPicture& picture, int history_depth);
 
   void reset();
-  /// Keeps the horizon's history; to be called for each frame, before update().
-  void watch(const RoadInput& input);
-  /// The history is long enough.
+  /// To be called for each frame.
   void update(const RoadInput& input, RoadEstimate& estimate);
 
   /// Of the newest search, for pictures: one response along the row of each template, near to far; left
@@ -38,6 +36,7 @@ class TemplateRoad {
     std::span<const float> response;
   };
   std::span<const SearchLine> lines() const { return lines_; }
+  int shrink() const { return picture_.shrink; }
 
  private:
   struct Template {

@@ -19,6 +19,7 @@
 #include "perception/camera_model.h"
 #include "perception/road_horizon.h"
 #include "tools/builtin_config.h"
+#include "tools/road_drawing.h"
 #include "tools/road_evaluation.h"
 #include "tools/road_picture.h"
 
@@ -71,17 +72,24 @@ void warn(const RoadEvaluationResult& result) {
   if (result.off_road_frames > 0)
     fmt::print(stderr, "eval road: the definition region is off the road in {} of {} scored frames\n",
                result.off_road_frames, result.score.frames);
+  if (result.no_horizon_frames > 0)
+    fmt::print(stderr, "eval road: no horizon in view in {} of {} scored frames\n", result.no_horizon_frames,
+               result.score.frames);
   if (result.silent_frames > 0)
     fmt::print(stderr, "eval road: no road was told in {} of {} scored frames\n", result.silent_frames,
                result.score.frames);
 }
 
 RoadWatcher picture_writer(const Options& options) {
-  if (options.pictures.empty()) return [](const auto&, const auto&, const auto&, const auto&) {};
+  if (options.pictures.empty()) return [](const auto&...) {};
   std::filesystem::create_directories(options.pictures);
   return [folder = std::filesystem::path(options.pictures)](const std::string& name, const cv::Mat& bgr,
-                                                            const cv::Mat& truth, const cv::Mat& called) {
-    cv::imwrite((folder / (name + ".jpg")).string(), draw_called_road(bgr, truth, called));
+                                                            const cv::Mat& truth, const cv::Mat& called,
+                                                            const RoadMethod& method) {
+    cv::Mat picture = draw_called_road(bgr, truth, called);
+    const RoadFollower* follower = method.follower();
+    if (follower != nullptr && follower->templates() != nullptr) draw_road(picture, *follower);
+    cv::imwrite((folder / (name + ".jpg")).string(), picture);
   };
 }
 

@@ -165,6 +165,12 @@ std::string speed_chart(const RunTrace& trace, Wheel wheel) {
   return chart.text();
 }
 
+std::string road_chart(const RunTrace& trace) {
+  SvgChart chart(kWidthPx, 200, {0.0, trace.duration_s(), "time [s]"}, {0.0, 1.0, "confidence"});
+  chart.line(times(trace), column(trace, [](const TickTrace& tick) { return tick.road_confidence; }), kGood, "road");
+  return chart.text();
+}
+
 std::string step_histogram(const RunTrace& trace, double period_ms) {
   return histogram(column(trace, [](const TickTrace& tick) { return tick.step_ms; }), "step duration [ms]",
                    period_ms);

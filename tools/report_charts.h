@@ -16,6 +16,9 @@ std::string state_chart(const RunTrace& trace);
 /// Commanded against measured speed of one wheel.
 std::string speed_chart(const RunTrace& trace, Wheel wheel);
 
+/// Confidence in the road over time, a gap where none was seen.
+std::string road_chart(const RunTrace& trace);
+
 /// How long steps took, or how late ticks began, with median, 99 % and maximum. `period_ms`: of the loop.
 std::string step_histogram(const RunTrace& trace, double period_ms);
 /// Empty where no tick was late at all: a replay that was not paced.

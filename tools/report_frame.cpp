@@ -8,6 +8,7 @@
 
 #include "tools/report_style.h"
 #include "tools/report_tracks.h"
+#include "tools/road_drawing.h"
 
 namespace hindsight::tools {
 namespace {
@@ -89,6 +90,7 @@ cv::Mat draw_frame(const Frame& frame, const Robot& robot, std::span<const Image
   draw_horizon(picture, sight.ground().horizon_row_px());
   draw_flow(picture, sight.vectors());
   draw_contacts(picture, sight.bottom_finder());
+  if (const RoadFollower* road = sight.road()) draw_road(picture, *road);
   for (const ImageRect& patch : touched) cv::rectangle(picture, pixel_rect(patch, 1.0), kPaper.bgr(), 2);
   if (robot.motion() != nullptr) {
     draw_tracks(picture, robot.motion()->report().tracks, robot.motion()->report().features);

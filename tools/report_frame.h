@@ -15,7 +15,7 @@ namespace hindsight::tools {
 std::vector<ImageRect> touched_patches(std::span<const Lesson> lessons);
 
 /// The frame as the robot saw it: labels as transparent colours, the horizon, flow from where points were to
-/// where they are, the foot of each column's nearest obstacle, and `touched` patches. `sight` must have taken
+/// where they are, the foot of each column's nearest obstacle, the road, and `touched` patches. `sight` must have taken
 /// the frame in.
 cv::Mat draw_frame(const Frame& frame, const Robot& robot, std::span<const ImageRect> touched);
 

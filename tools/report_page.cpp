@@ -205,6 +205,11 @@ void write_page(const ReportFolder& folder, const std::string& log, ReplayRun& r
   section.begin("Frames", class_keys() + key(kAccent, "flow") + key(kStale, "foot of the nearest obstacle") +
                               key(kPaper, "horizon, touched patch"));
   page += "<div class='frames'>" + or_none(gallery.frames_html()) + "</div>\n";
+  if (trace.road_sought) {
+    section.begin("Road", "How much the road stands out from what lies beside it; a gap: no road is told. In the frames above: " +
+                              key(kStale, "road") + key(kPaper, "its middle"));
+    page += road_chart(trace);
+  }
   section.begin("Slip", "Spectrum of each motor current over time, relative to its mean.");
   add_spectrograms(page, folder, run, trace);
   section.begin("Timing", run.source().recorded_ticks() ? "As the recorded run measured it."

@@ -47,6 +47,10 @@ void RunTrace::add(ReplayRun& run) {
     events.push_back({tick.time_s, input.index, lesson.event.cause, lesson.event.p_WP_m});
   }
   if (input.frame) ++frames;
+  const RoadFollower* road = robot.sight().road();
+  road_sought = road != nullptr;
+  const bool followed = road_sought && road->estimate().status == RoadStatus::following;
+  tick.road_confidence = followed ? road->estimate().confidence : kNan;
   if (robot.plan().reached && !reached_s) reached_s = tick.time_s;
   ticks.push_back(tick);
   add_spectra(robot.senses().slip_detector());

@@ -24,6 +24,7 @@ struct TickTrace {
   double step_ms = 0.0;   ///< of this tick's step; NaN where not known
   double latency_ms = 0.0;
   std::array<bool, kWheelCount> slipping{};
+  double road_confidence = 0.0;  ///< NaN where no road is told
 };
 
 struct EventTrace {
@@ -45,6 +46,7 @@ struct RunTrace {
   std::vector<EventTrace> events;
   std::array<SpectrumTrace, kWheelCount> spectra;
   std::uint64_t frames = 0;
+  bool road_sought = false;
   std::array<std::uint64_t, kLineCount> touches{};  ///< presses of each line
   double distance_m = 0.0;                          ///< sum of the estimated speed, either way
   std::optional<double> reached_s;                  ///< when the goal was first reached

@@ -84,6 +84,7 @@ RoadEvaluationResult evaluate_road(const RoadEvaluation& evaluation, const RoadT
   auto next = scored.begin();
   for (std::size_t i = 0; i <= scored.back(); ++i) {
     const bool wanted = i == *next;
+    if (!wanted && !method->looks_at_all()) continue;
     const cv::Mat bgr = read_road_frame(evaluation.frames[i].file, size);
     method->see(bgr, wanted);
     progress(i + 1);
@@ -95,7 +96,10 @@ RoadEvaluationResult evaluate_road(const RoadEvaluation& evaluation, const RoadT
     if (off_road(mask, region)) ++result.off_road_frames;
     if (cv::countNonZero(called) == 0) ++result.silent_frames;
     if (const auto score = score_road(mask, called)) result.score.add(*score);
-    watch(name, bgr, mask, called);
+    const RoadFollower* follower = method->follower();
+    if (follower != nullptr && !std::isfinite(follower->estimate().horizon_row_px))
+      ++result.no_horizon_frames;
+    watch(name, bgr, mask, called, *method);
   }
   if (result.off_road_frames == static_cast<int>(scored.size())) {
     throw FatalError(

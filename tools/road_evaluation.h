@@ -10,6 +10,7 @@
 
 #include "daemon/robot_config.h"
 #include "tools/road_frames.h"
+#include "tools/road_method.h"
 #include "tools/road_score.h"
 #include "tools/road_truth.h"
 
@@ -28,6 +29,7 @@ struct RoadEvaluationResult {
   double mttf_frames = 0.0;
   double ms_per_frame = 0.0;  ///< beside flow and histories, which the daemon has anyway
   int off_road_frames = 0;    ///< scored frames whose definition region is not road for the most part
+  int no_horizon_frames = 0;  ///< scored frames in which a road follower saw no horizon
   int silent_frames = 0;      ///< scored frames in which the method said nothing
 };
 
@@ -35,9 +37,9 @@ struct RoadEvaluationResult {
 /// needs, at most one a second. FatalError(kExitBadData) where there are none.
 std::vector<std::size_t> frames_to_score(const RoadEvaluation& evaluation, const RoadTruth& truth);
 
-/// Sees each scored frame: its picture, truth and what was called road.
+/// Sees each scored frame: its picture, its truth, and the method that has just called `called` road.
 using RoadWatcher = std::function<void(const std::string& name, const cv::Mat& bgr, const cv::Mat& truth,
-                                       const cv::Mat& called)>;
+                                       const cv::Mat& called, const RoadMethod& method)>;
 
 /// FatalError(kExitBadData) for frames of mixed size, and where the definition region is off the road in all
 /// scored frames.

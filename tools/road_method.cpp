@@ -44,6 +44,7 @@ class FollowerMethod : public RoadMethod {
   }
   cv::Mat road() const override { return mask_of(follower_.estimate(), size_); }
   double took_us() const override { return took_us_; }
+  bool looks_at_all() const override { return true; }
   const RoadFollower* follower() const override { return &follower_; }
 
  private:

@@ -18,6 +18,8 @@ class RoadMethod {
   virtual ~RoadMethod() = default;
   /// Each frame of the sequence, 8-bit BGR, continuous; `wanted`: the road in it will be asked for.
   virtual void see(const cv::Mat& bgr, bool wanted) = 0;
+  /// Whether it needs frames that nobody asks about.
+  virtual bool looks_at_all() const { return false; }
   /// Mask of the newest frame, not 0 where road is.
   virtual cv::Mat road() const = 0;
   /// Processor time of the last see() without what the daemon does anyway (flow and histories) [us].

@@ -81,9 +81,11 @@ void add_send(CLI::App& app, Run& run) {
   global->add_option("latitude_deg", options->a)->required()->check(CLI::Range(-90.0, 90.0));
   global->add_option("longitude_deg", options->b)->required()->check(CLI::Range(-180.0, 180.0));
   CLI::App* mode = add("mode", "Change the mode", CommandKind::set_mode);
-  mode->add_option("mode", options->mode)->required()->check(CLI::IsMember({"watch", "drive"}));
+  mode->add_option("mode", options->mode)->required()->check(CLI::IsMember({"watch", "drive", "road"}));
   mode->parse_complete_callback([options] {
-    options->a = static_cast<double>(options->mode == "drive" ? Mode::drive : Mode::watch);
+    options->a = static_cast<double>(options->mode == "road"    ? Mode::road
+                                    : options->mode == "drive" ? Mode::drive
+                                                               : Mode::watch);
   });
 }
 

@@ -181,7 +181,14 @@ TEST(RoadFollower, TheThesisMethodSaysThatThereIsNoHorizon) {
   Drive drive(thesis());
   drive.frames(40);
   drive.light = 0.0;
-  EXPECT_EQ(drive.frame().status, RoadStatus::no_horizon);
+  EXPECT_TRUE(std::isnan(drive.frame().horizon_row_px));
+}
+
+TEST(RoadFollower, SaysThatACameraLooksAboveTheGround) {
+  Drive drive(quick(), 155.0);
+  const RoadEstimate& estimate = drive.frames(40);
+  EXPECT_EQ(estimate.status, RoadStatus::no_horizon);
+  EXPECT_EQ(estimate.count, 0);
 }
 
 TEST(RoadFollower, RefusesADefinitionRegionOutsideThePicture) {

@@ -75,7 +75,7 @@ float best_by_trying(const RoadProfile& profile, const std::vector<ExpectedRoad>
     const float offset = static_cast<float>(i), stray = offset / here.half_width_px;
     const float half = here.half_width_px * std::pow(RoadSearch::kWidthStep, static_cast<float>(j));
     return judge_road(profile, row, here.middle_px + offset, half, here.half_width_px).fit -
-           costs.stray * stray * stray;
+           costs.stray * stray * stray - costs.odd_width * static_cast<float>(j * j);
   };
   const int reach = std::clamp(static_cast<int>(0.35F * expected[1].half_width_px), 1, 6);
   float best = -1e9F;
