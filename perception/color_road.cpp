@@ -17,7 +17,8 @@ constexpr float kDefinitionCount = 400.0F, kTracedCount = 800.0F, kBesideCount =
 constexpr float kAboveCount = 100.0F, kAboveFrom = 0.15F, kAboveTo = 0.05F;
 /// A traced strip is believed where it became narrower as perspective wants, up to this factor.
 constexpr float kMostOff = 1.4F;
-/// The farthest row, in parts of the way from the horizon to the bottom; above the horizon, as ground may rise.
+/// The farthest row, in parts of the way from the horizon to the bottom; above the horizon, as ground may
+/// rise.
 constexpr float kFarthest = -0.04F;
 /// Half widths per row below the horizon (half the road's width over the camera's height) that are tried
 /// where no road is known, and horizons in parts of the picture's height where the camera does not tell.
@@ -31,20 +32,25 @@ constexpr float kFits = 0.3F;
 constexpr float kRowSigma = 0.15F;
 /// Rows that fit worse than this are no more uncertain.
 constexpr float kLeastFit = 0.05F;
-/// How fast slope and horizon follow what the rows' widths say, each frame.
-constexpr float kShapeGain = 0.05F, kCalibratedGain = 0.01F, kAcquireGain = 0.5F;
-/// How much of the horizon's swing is left a frame later: far things' motion tells how the vehicle pitches, but summed
-/// up for long it would run away.
-constexpr float kSwingKept = 0.9F;
-/// What the widths say of the horizon is not believed if it is so far off, in parts of the way down to the bottom.
+/// For each step of width away from what is expected, squared: the mouths of side roads are not the road.
+constexpr float kOddWidthCost = 0.07F;
+/// How fast slope and horizon follow what the rows' widths say; a calibrated horizon, more slowly.
+constexpr double kShapeMemory_s = 2.0;
+constexpr float kAcquireGain = 0.5F, kCalibratedPart = 0.2F;
+/// Far things' motion tells how the vehicle pitches, but summed up for longer it would run away.
+constexpr double kSwingMemory_s = 1.0;
+/// What the widths say of the horizon is not believed if it is so far off, in parts of the way down to the
+/// bottom.
 constexpr float kMostOffHorizon = 0.25F;
 constexpr int kAcquireRounds = 4;
-/// A road is looked for anew once in so many frames: it takes ten times as long as following one.
-constexpr int kAcquireEvery = 5;
+/// A road is looked for anew so often: it takes ten times as long as following one.
+constexpr double kAcquireEvery_s = 0.5;
 /// Where nothing else ends the road, it ends where rows fit worse than this.
-constexpr float kVisibleFit = 0.5F;
+constexpr float kVisibleFit = 0.65F;
 /// Or, where little stands out anyway, than this part of how the near half of the rows does.
 constexpr float kVisibleShare = 0.4F;
+/// Whose mean likelihood is less than this is no road, however it stands out.
+constexpr float kUnlike = -0.2F;
 /// A road whose end is not seen goes on as straight as over so many rows.
 constexpr std::size_t kStraightRows = 5;
 /// Offsets tried, in profile columns to each side.
@@ -52,6 +58,9 @@ constexpr int kSearchColumns = 360, kFollowSteps = 30, kAcquireSteps = 70;
 /// Ground that begins lower, in picture heights, is too little to see a road on.
 constexpr double kLowestHorizon = 0.9;
 constexpr double kConfidenceMemory_s = 1.0;
+
+/// Of a first-order filter's way that it goes in a frame.
+float part_in(double dt_s, double memory_s) { return static_cast<float>(1.0 - std::exp(-dt_s / memory_s)); }
 
 int stored_size(int full_px, int shrink) { return full_px / shrink; }
 
@@ -102,7 +111,7 @@ void ColorRoad::update(const RoadInput& input, RoadEstimate& estimate) {
   learn(input, picture);
   if (following_) {
     follow(input, picture);
-  } else if (frames_ % kAcquireEvery == 0) {
+  } else if (frames_ % std::max(1L, std::lround(kAcquireEvery_s / std::max(input.dt_s, 1e-3))) == 0) {
     acquire(picture);
   }
   tell(estimate);
@@ -227,6 +236,7 @@ std::span<const FoundRoad> ColorRoad::search(const Shape& shape, bool acquiring)
   }
   RoadSearchCosts costs;
   costs.bend = static_cast<float>(params_.bend_cost);
+  costs.odd_width = acquiring ? 0.0F : kOddWidthCost;
   if (acquiring) costs.stray = 0.0F;
   return search_.find(profile_, expected_, acquiring ? kAcquireSteps : kFollowSteps, costs);
 }
@@ -235,7 +245,8 @@ std::span<const FoundRoad> ColorRoad::search(const Shape& shape, bool acquiring)
 float ColorRoad::straight_on(std::size_t row) const {
   if (row < kStraightRows) return 0.5F * static_cast<float>(stored_width_);
   const std::size_t last = row - 1, first = row - kStraightRows;
-  const float per_row = (expected_[last].middle_px - expected_[first].middle_px) / (rows_[last].row - rows_[first].row);
+  const float per_row =
+      (expected_[last].middle_px - expected_[first].middle_px) / (rows_[last].row - rows_[first].row);
   return expected_[last].middle_px + per_row * (rows_[row].row - rows_[last].row);
 }
 
@@ -278,16 +289,15 @@ void ColorRoad::follow(const RoadInput& input, const ColorView& picture) {
   const FarMotion far =
       far_motion_.find(input.flow, to_full(shape_.horizon), 0.08F * static_cast<float>(picture_.height_px));
   const auto shrink = static_cast<float>(picture_.shrink);
-  const float swing = kSwingKept * (swing_ + far.dy_px / shrink);
+  const float swing = (1.0F - part_in(input.dt_s, kSwingMemory_s)) * (swing_ + far.dy_px / shrink);
   shape_.horizon += swing - std::exchange(swing_, swing);
   filter_.predict(far.dx_px / shrink, static_cast<float>(params_.line_drift_per_s * std::sqrt(input.dt_s)));
   lay_rows(shape_);
   fill_profile(picture);
   refine(search(shape_, false));
-  const float gain = static_cast<float>(1.0 - std::exp(-input.dt_s / kConfidenceMemory_s));
-  confidence_ += gain * (judge(found_) - confidence_);
+  confidence_ += part_in(input.dt_s, kConfidenceMemory_s) * (judge(found_) - confidence_);
   correct(found_);
-  adapt_shape(found_, std::isfinite(picture_.horizon_row_px) ? kCalibratedGain : kShapeGain);
+  adapt_shape(found_, part_in(input.dt_s, kShapeMemory_s));
   following_ = confidence_ >= static_cast<float>(params_.lost_confidence);
 }
 
@@ -299,12 +309,17 @@ void ColorRoad::refine(std::span<const FoundRoad> found) {
 /// Mean contrast over the visible rows, each as wide as it is; counts the visible rows.
 float ColorRoad::judge(std::span<const FoundRoad> found) {
   float near = 0.0F;
-  for (std::size_t k = 0; k < found.size() / 2; ++k) near += found[k].fit / static_cast<float>(found.size() / 2);
+  for (std::size_t k = 0; k < found.size() / 2; ++k)
+    near += found[k].fit / static_cast<float>(found.size() / 2);
   const float least = std::min(kVisibleFit, kVisibleShare * near);
   float sum = 0.0F, best = 0.0F;
   visible_rows_ = 0;
   for (std::size_t k = 0; k < found.size(); ++k) {
-    sum += found[k].fit - least;
+    // Where it looks alike inside and beside, it is the look that tells road from sky.
+    const float left = found[k].middle_px - found[k].half_width_px,
+                right = found[k].middle_px + found[k].half_width_px;
+    const float inside = profile_.between(static_cast<int>(k), left, right) / (right - left);
+    sum += inside < kUnlike ? inside : found[k].fit - least;
     if (sum < best) continue;
     best = sum;
     visible_rows_ = static_cast<int>(k) + 1;
@@ -331,7 +346,7 @@ void ColorRoad::correct(std::span<const FoundRoad> found) {
 }
 
 /// A straight line through the rows' half widths: where it is zero lies the horizon.
-void ColorRoad::adapt_shape(std::span<const FoundRoad> found, float horizon_gain) {
+void ColorRoad::adapt_shape(std::span<const FoundRoad> found, float gain) {
   float n = 0.0F, y = 0.0F, w = 0.0F, yy = 0.0F, yw = 0.0F;
   for (std::size_t k = 0; k < static_cast<std::size_t>(visible_rows_); ++k) {
     if (!whole(found[k]) || found[k].fit < kFits) continue;
@@ -343,9 +358,10 @@ void ColorRoad::adapt_shape(std::span<const FoundRoad> found, float horizon_gain
   const float slope = (n * yw - y * w) / spread;
   const float off = (y - w / slope) / n - shape_.horizon;
   const float deepest = static_cast<float>(stored_height_ - 1) - shape_.horizon;
-  if (slope < 0.3F * shape_.slope || slope > 3.0F * shape_.slope || std::abs(off) > kMostOffHorizon * deepest) return;
-  shape_.slope += std::max(horizon_gain, kShapeGain) * (slope - shape_.slope);
-  shape_.horizon += horizon_gain * off;
+  if (slope < 0.3F * shape_.slope || slope > 3.0F * shape_.slope || std::abs(off) > kMostOffHorizon * deepest)
+    return;
+  shape_.slope += gain * (slope - shape_.slope);
+  shape_.horizon += gain * (std::isfinite(picture_.horizon_row_px) ? kCalibratedPart : 1.0F) * off;
 }
 
 bool ColorRoad::whole(const FoundRoad& road) const {

@@ -69,7 +69,7 @@ class EvalRoad : public testing::Test {
   }
   nlohmann::json eval(const std::string& more = "") const {
     CLI::App app;
-    Run run;
+    tools::Run run;
     add_eval_road(app, run);
     app.parse(arguments(more));
     testing::internal::CaptureStdout();
@@ -80,7 +80,7 @@ class EvalRoad : public testing::Test {
   }
   void expect_error(ExitCode code, const std::string& text, const std::string& more = "") const {
     CLI::App app;
-    Run run;
+    tools::Run run;
     add_eval_road(app, run);
     app.parse(arguments(more));
     try {
