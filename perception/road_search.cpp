@@ -41,15 +41,18 @@ FoundRoad judge_road(const RoadProfile& profile, int row, float middle_px, float
           inside / (2.0F * half_width_px) - beside / (2.0F * beside_px)};
 }
 
-FoundRoad refine_road(const RoadProfile& profile, int row, const FoundRoad& road, float expected_half_width_px) {
+FoundRoad refine_road(const RoadProfile& profile, int row, const FoundRoad& road,
+                      float expected_half_width_px) {
   const float left = road.middle_px - road.half_width_px, right = road.middle_px + road.half_width_px;
   const float reach = std::floor(kRefine * road.half_width_px);
   float best_left = left, best_right = right, most_left = 0.0F, most_right = 0.0F;
   for (float by = -reach; by <= reach; by += 1.0F) {
     // What the road gains if its edge moves outwards by so much.
     const float pull = kRefineCost * by * by / road.half_width_px;
-    const float gain_left = by > 0.0F ? profile.between(row, left - by, left) : -profile.between(row, left, left - by);
-    const float gain_right = by > 0.0F ? profile.between(row, right, right + by) : -profile.between(row, right + by, right);
+    const float gain_left =
+        by > 0.0F ? profile.between(row, left - by, left) : -profile.between(row, left, left - by);
+    const float gain_right =
+        by > 0.0F ? profile.between(row, right, right + by) : -profile.between(row, right + by, right);
     if (left > 0.0F && gain_left - pull > most_left) most_left = gain_left - pull, best_left = left - by;
     if (right < static_cast<float>(profile.width_px()) && gain_right - pull > most_right)
       most_right = gain_right - pull, best_right = right + by;

@@ -27,9 +27,9 @@ struct FoundRoad {
 };
 
 struct RoadSearchCosts {
-  float bend = 3.0F;    ///< (change of the offset from what was expected / half width)^2 from row to row
-  float widen = 0.15F;  ///< for each step of width from row to row
-  float stray = 0.05F;  ///< (offset / half width)^2
+  float bend = 3.0F;         ///< (change of the offset from what was expected / half width)^2 from row to row
+  float widen = 0.15F;       ///< for each step of width from row to row
+  float stray = 0.05F;       ///< (offset / half width)^2
   float odd_width = 0.012F;  ///< (steps of width away from what was expected)^2
 };
 
@@ -68,9 +68,10 @@ class RoadSearch {
   std::vector<FoundRoad> found_;
 };
 
-/// The edges of a road that was found on the search's grid, each moved to where within a little way the likelihood
-/// changes sides. An edge outside of the picture stays.
-FoundRoad refine_road(const RoadProfile& profile, int row, const FoundRoad& road, float expected_half_width_px);
+/// The edges of a road that was found on the search's grid, each moved to where within a little way the
+/// likelihood changes sides. An edge outside of the picture stays.
+FoundRoad refine_road(const RoadProfile& profile, int row, const FoundRoad& road,
+                      float expected_half_width_px);
 
 /// How well a road with these edges fits a row, and how much it stands out.
 FoundRoad judge_road(const RoadProfile& profile, int row, float middle_px, float half_width_px,

@@ -93,8 +93,8 @@ void TemplateRoad::update(const RoadInput& input, RoadEstimate& estimate) {
   find_path();
   const auto shrink = static_cast<float>(picture_.shrink);
   const RoadStrip& region = definition_.region();
-  const float half_height_px = 0.5F * static_cast<float>(params_.definition_height_px);
-  estimate.row[0] = {region.top_px + half_height_px, region.left_px, region.right_px};
+  // From the vehicle on, which stands on it.
+  estimate.row[0] = {static_cast<float>(picture_.height_px - 1), region.left_px, region.right_px};
   estimate.count = 1;
   double fit = 0.0;
   for (std::size_t i = 0; i < lines_.size(); ++i) {
@@ -111,8 +111,7 @@ void TemplateRoad::refresh(const RoadInput& input) {
   const auto shrink = static_cast<float>(picture_.shrink);
   auto next = templates_.begin();
   for (const RoadStrip& strip : definition_.trace(input.history, params_.templates)) {
-    if (strip.frames_back >= input.appearance.size() || !std::isfinite(horizon_px(strip.frames_back)))
-      continue;
+    if (strip.frames_back >= input.appearance.size()) continue;
     const int height = std::max(1, params_.definition_height_px / picture_.shrink);
     const int left = std::clamp(static_cast<int>(strip.left_px / shrink), 0, stored_width_ - 1);
     const int right = std::clamp(static_cast<int>(strip.right_px / shrink), 0, stored_width_);

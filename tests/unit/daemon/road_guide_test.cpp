@@ -47,7 +47,7 @@ TEST(RoadGuide, NoRoadNoGoal) {
 TEST(RoadGuide, TheOperatorsGoalTakesOverOnceItIsNear) {
   RoadGuide guide(5.0);
   EXPECT_NEAR(guide.goal_W({}, straight(0.0), Point2{30.0, 4.0}, Behaviour::follow)->y_m, 0.0, 1e-9);
-  EXPECT_EQ(guide.goal_W({27.0, 0.0, 0.0}, straight(0.0), Point2{30.0, 4.0}, Behaviour::follow)->y_m, 4.0);
+  EXPECT_EQ(guide.goal_W({28.0, 1.0, 0.0}, straight(0.0), Point2{30.0, 4.0}, Behaviour::follow)->y_m, 4.0);
 }
 
 }  // namespace
