@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "config/exit_code.h"
+#include "perception/multiversion.h"
 #include "perception/pair_correlation.h"
 
 namespace hindsight {
@@ -20,11 +21,29 @@ std::size_t rounded_up(int value, std::size_t multiple) {
   return (static_cast<std::size_t>(value) + multiple - 1) / multiple * multiple;
 }
 
-/// Values of one channel of a row as pairs from each pixel on; beyond `count` there are zeros.
-void spread(const std::uint8_t* bgr, int channel, int count, std::int32_t* pairs) {
-  const std::uint8_t* from = bgr + channel;
-  for (int x = 0; x + 1 < count; ++x) pairs[x] = pair_of(from[kChannels * x], from[kChannels * (x + 1)]);
-  pairs[count - 1] = from[kChannels * (count - 1)];
+/// The three channels of a row of `count` pixels as pairs from each pixel on, each channel to its own plane.
+HINDSIGHT_MULTIVERSION void spread(const std::uint8_t* bgr, int count, std::int32_t* blue,
+                                   std::int32_t* green, std::int32_t* red) {
+  for (int x = 0; x + 1 < count; ++x) {
+    const std::uint8_t* p = bgr + kChannels * x;
+    blue[x] = pair_of(p[0], p[3]);
+    green[x] = pair_of(p[1], p[4]);
+    red[x] = pair_of(p[2], p[5]);
+  }
+  const std::uint8_t* last = bgr + kChannels * (count - 1);
+  blue[count - 1] = last[0];
+  green[count - 1] = last[1];
+  red[count - 1] = last[2];
+}
+
+/// Adds the row's values, or their squares, to one sum for each pixel.
+HINDSIGHT_MULTIVERSION void add_values(const std::uint8_t* bgr, int count, std::uint32_t* sums) {
+  for (int x = 0; x < count; ++x, bgr += kChannels)
+    sums[x] += static_cast<std::uint32_t>(bgr[0] + bgr[1] + bgr[2]);
+}
+HINDSIGHT_MULTIVERSION void add_squares(const std::uint8_t* bgr, int count, std::uint32_t* sums) {
+  for (int x = 0; x < count; ++x, bgr += kChannels)
+    sums[x] += static_cast<std::uint32_t>(bgr[0] * bgr[0] + bgr[1] * bgr[1] + bgr[2] * bgr[2]);
 }
 
 }  // namespace
@@ -91,30 +110,23 @@ std::span<const float> TemplateRow::search(const ColorView& picture, int top_px,
 
 void TemplateRow::spread_rows(const ColorView& picture, int top_px) {
   for (int row = 0; row < height_px_; ++row) {
-    const std::uint8_t* from = picture.pixel(0, top_px + row);
-    for (int channel = 0; channel < kChannels; ++channel) {
-      const auto plane = static_cast<std::size_t>(kChannels * row + channel);
-      spread(from, channel, picture.width_px, &picture_pairs_[plane * plane_stride_]);
-    }
+    std::int32_t* planes = &picture_pairs_[static_cast<std::size_t>(kChannels * row) * plane_stride_];
+    spread(picture.pixel(0, top_px + row), picture.width_px, planes, planes + plane_stride_,
+           planes + 2 * plane_stride_);
   }
 }
 
 /// Sums over columns up to each, so that those under the strip are a difference.
 void TemplateRow::sum_energy(const ColorView& picture, int top_px) {
   const auto width = static_cast<std::size_t>(picture.width_px);
-  std::fill(column_sums_.begin(), column_sums_.end(), 0);
-  std::fill(column_energies_.begin(), column_energies_.end(), 0);
-  for (int row = 0; row < height_px_; ++row) {
-    const std::uint8_t* from = picture.pixel(0, top_px + row);
-    for (std::size_t x = 0; x < width; ++x, from += kChannels) {
-      column_sums_[x + 1] += from[0] + from[1] + from[2];
-      column_energies_[x + 1] += from[0] * from[0] + from[1] * from[1] + from[2] * from[2];
-    }
-  }
-  for (std::size_t x = 0; x < width; ++x) {
-    column_sums_[x + 1] += column_sums_[x];
-    column_energies_[x + 1] += column_energies_[x];
-  }
+  const auto sum_up = [&](auto&& add, std::vector<std::int64_t>& sums) {
+    std::fill(products_.begin(), products_.end(), 0U);  // lends its room
+    for (int row = 0; row < height_px_; ++row)
+      add(picture.pixel(0, top_px + row), picture.width_px, products_.data());
+    for (std::size_t x = 0; x < width; ++x) sums[x + 1] = sums[x] + products_[x];
+  };
+  sum_up(add_values, column_sums_);
+  sum_up(add_squares, column_energies_);
   const auto strip = static_cast<std::size_t>(width_px_);
   for (std::size_t x = 0; x + strip <= width; ++x) {
     sums_[x] = column_sums_[x + strip] - column_sums_[x];
@@ -132,7 +144,8 @@ void TemplateRow::score(TemplateMatch match, int places) {
     double value = 1.0;
     if (match == TemplateMatch::squared_difference) {
       const double norm = std::sqrt(energy_T * energy_I);
-      if (norm > 0.0) value = (energy_T - 2.0 * product + energy_I) / norm;  // (4.1)
+      // (4.1); what differs by more than the pictures' own energy is no match, as OpenCV has it, too.
+      if (norm > 0.0) value = std::min(1.0, (energy_T - 2.0 * product + energy_I) / norm);
     } else {
       const double norm = std::sqrt(variance_T * (energy_I - sum_I * sum_I / n));
       if (norm > 0.0) value = 1.0 - (product - sum_T * sum_I / n) / norm;

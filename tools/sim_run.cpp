@@ -12,6 +12,8 @@ namespace {
 
 /// The first frames settle before the robot is told to go.
 constexpr std::uint64_t kOrdersAtTick = 5;
+/// A road has been followed to its end that near to the world's goal.
+constexpr double kRoadEnd_m = 4.0;
 
 }  // namespace
 
@@ -90,7 +92,8 @@ SimSummary SimRun::summary() const {
   summary.ir_touches = vehicle.ir_touches();
   summary.lessons = lessons_;
   summary.behaviour = robot_.plan().behaviour;
-  summary.reached = robot_.plan().reached;
+  const bool follows_road = setup_.configuration.robot.mode == "road";
+  summary.reached = follows_road ? summary.to_goal_m < kRoadEnd_m : robot_.plan().reached;
   return summary;
 }
 

@@ -30,7 +30,7 @@ struct SimSummary {
   int ir_touches = 0;       ///< times that only an infrared sensor met something
   int lessons = 0;          ///< training events that changed the mixture
   Behaviour behaviour = Behaviour::idle;
-  bool reached = false;  ///< the robot says so
+  bool reached = false;  ///< the robot says so; in mode road: it truly came to the road's end
 };
 
 struct SimSetup {
