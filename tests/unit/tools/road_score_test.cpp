@@ -58,7 +58,7 @@ TEST(RoadScore, AFailureIsAFrameWithoutAnyOverlap) {
   all.add(*score_road(truth(), cv::Mat::zeros(10, 10, CV_8U)));
   EXPECT_EQ(all.failures, 2);
   EXPECT_EQ(all.mttf_frames(100.0), 50.0);
-  EXPECT_NEAR(all.pixel_coverage, (1.0 - 9.0 / 36.0 + 0.0) / 3.0, 1e-12);
+  EXPECT_NEAR(all.pixel_coverage, (1.0 - 10.0 / 36.0 + 0.0) / 3.0, 1e-12);
 }
 
 TEST(RoadScore, NoRoadNoScore) {
