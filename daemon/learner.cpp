@@ -9,19 +9,9 @@ namespace {
 
 constexpr std::size_t kMostLessonsATick = 16;
 
-/// One view's report to those of the views before it.
-void add(TerrainMixture::TrainingReport& sum, const TerrainMixture::TrainingReport& view) {
-  sum.pixels += view.pixels;
-  sum.left_out += view.left_out;
-  sum.new_components += view.new_components;
-  sum.replaced_components += view.replaced_components;
-  if (view.updated_component >= 0) sum.updated_component = view.updated_component;
-}
-
 }  // namespace
 
-Learner::Learner(const Configuration& configuration, const CameraModel& camera,
-                 const MixtureSnapshot& mixture)
+Learner::Learner(const Configuration& configuration, const CameraModel& camera, const MixtureSnapshot& mixture)
     : enabled_(configuration.robot.learning),
       mixture_(configuration.mixture),
       events_(configuration.training, camera, configuration.vehicle, configuration.flow_history.depth),
@@ -50,12 +40,9 @@ Lesson Learner::study(const TrainingEvent& event, const Sight& sight) {
   Lesson lesson;
   lesson.event = event;
   if (!enabled_ || !event.in_view) return lesson;
-  for (const int steps :
-       tracer_.find_views(sight.history(), sight.appearance(), event.patch_px, event.frames_back)) {
-    lesson.traced =
-        tracer_.trace(sight.history(), sight.appearance(), event.patch_px, event.frames_back, steps, pixels_);
-    add(lesson.report, mixture_.train(pixels_, event.label));
-  }
+  pixels_.clear();
+  lesson.traced = tracer_.trace(sight.history(), sight.appearance(), event.patch_px, event.frames_back, pixels_);
+  lesson.report = mixture_.train(pixels_, event.label);
   return lesson;
 }
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Hindsight authors
 // SPDX-License-Identifier: BSD-2-Clause
 //
-// From touch to knowledge: a training event's patch is traced back to how it looked from afar, and the
-// mixture learns from the pixels there (thesis 5.1).
+// From touch to knowledge: a training event's patch is traced back to how it looked from afar, and the mixture learns
+// from the pixels there (thesis 5.1).
 #pragma once
 
 #include <span>
@@ -19,8 +19,8 @@ namespace hindsight {
 /// What one event taught.
 struct Lesson {
   TrainingEvent event;
-  TracedPatch traced;                     ///< to the farthest view
-  TerrainMixture::TrainingReport report;  ///< of all views; updated_component is the farthest's
+  TracedPatch traced;
+  TerrainMixture::TrainingReport report;
 };
 
 class Learner {
@@ -29,8 +29,8 @@ class Learner {
 
   /// Makes the mixture from the first frame where there is none yet.
   void start(const Frame& frame);
-  /// The lessons of this tick, valid until the next call. Learns nothing where learning is off, but the
-  /// events are still told: they mark the map.
+  /// The lessons of this tick, valid until the next call. Learns nothing where learning is off, but the events are
+  /// still told: they mark the map.
   std::span<const Lesson> learn(const TrainingInput& input, const Sight& sight);
 
   const TerrainMixture& mixture() const { return mixture_; }

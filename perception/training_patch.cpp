@@ -5,10 +5,7 @@
 namespace hindsight {
 
 TrainingPatchTracer::TrainingPatchTracer(const TrainingPatchParams& params) : params_(params) {
-  constexpr std::size_t kMostViews =
-      64;  // the widest picture, shrunk by 1.5 each time, is a point long before
   stored_.reserve(static_cast<std::size_t>(params.max_points));
-  views_.reserve(kMostViews);
 }
 
 float TrainingPatchTracer::spacing_px(const ImageRect& patch_px) const {

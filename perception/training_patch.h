@@ -6,8 +6,7 @@
 //
 // How far back is enough? The thesis goes to where a point entered the view, or to the oldest frame held. A
 // patch that came from afar was smaller than a pixel there, so "size" stops while it is still min_width_px
-// wide. What is learnt from afar alone is soon forgotten of the near: bark at 1 m has other colours than at
-// 10 m. So "along" trains on each view on the way there.
+// wide.
 #pragma once
 
 #include <algorithm>
@@ -27,7 +26,6 @@ struct TrainingPatchParams {
   bool reverse_flow = true;
   std::string trace_until = "size";
   double min_width_px = 8.0;
-  std::string views = "along";
   int max_points = 400;
 
   void visit(auto&& param) {
@@ -36,9 +34,6 @@ struct TrainingPatchParams {
           "how far back: while the patch is min_width_px wide, or as far as is stored (the thesis)");
     param("min_width_px", min_width_px, Range{1.0, 1000.0},
           "least width of a patch in the frame trained on [px]");
-    param("views", views, Choices{"far", "along"},
-          "which looks train: the far end's (the thesis), or those on the way there too, each 2/3 as wide as "
-          "the last");
     param("max_points", max_points, Range{1, 1000000}, "points of a patch that are traced, evenly spread");
   }
 };
@@ -56,28 +51,25 @@ class TrainingPatchTracer {
  public:
   explicit TrainingPatchTracer(const TrainingPatchParams& params);
 
-  /// Frames between that of the patch and each view to train on, from near to far; the last is the far end.
-  /// Empty where the frame is no longer held. Valid until the next call.
+  /// Sets `pixels` to those that patch_px, a region of the frame `frames_back` before the newest, teaches: no
+  /// stored pixel twice. Empty where the frame is no longer held. No allocation once `pixels` has room for
+  /// max_points.
   ///
   /// Flow: a FlowHistory, or whatever has its trace_back(point, max_frames, from_frames_back).
   template <typename Flow>
-  std::span<const int> find_views(const Flow& flow, const AppearanceHistory& appearance,
-                                  const ImageRect& patch_px, int frames_back);
-
-  /// Sets `pixels` to those that patch_px, a region of the frame `frames_back` before the newest, shows
-  /// `steps` frames earlier, or where a point entered the view since: no stored pixel twice. No allocation
-  /// once `pixels` has room for max_points.
-  template <typename Flow>
   TracedPatch trace(const Flow& flow, const AppearanceHistory& appearance, const ImageRect& patch_px,
-                    int frames_back, int steps, std::vector<Bgr>& pixels);
+                    int frames_back, std::vector<Bgr>& pixels);
 
  private:
   /// Distance between the points of a patch that are traced, so that there are at most max_points.
   float spacing_px(const ImageRect& patch_px) const;
   void end_at(const AppearanceHistory& appearance, float x_px, float y_px, int frames_back);
   void take_pixels(const AppearanceHistory& appearance, std::vector<Bgr>& pixels);
+  /// Frames over which the patch stays wide enough.
+  template <typename Flow>
+  int frames_while_wide(const Flow& flow, const ImageRect& patch_px, int frames_back, int most) const;
+
   TrainingPatchParams params_;
-  std::vector<int> views_;
   std::vector<std::uint64_t>
       stored_;  ///< stored pixels hit: frames_back in the upper half, index in the lower
 };
@@ -99,50 +91,42 @@ class PointBox {
 };
 
 template <typename Flow>
-std::span<const int> TrainingPatchTracer::find_views(const Flow& flow, const AppearanceHistory& appearance,
-                                                     const ImageRect& patch_px, int frames_back) {
-  constexpr float kViewRatio = 1.5F;
-  views_.clear();
-  if (frames_back < 0 || frames_back >= appearance.size()) return views_;
-  const bool along = params_.views == "along", by_size = params_.trace_until == "size";
-  int far = params_.reverse_flow ? appearance.size() - 1 - frames_back : 0;
+int TrainingPatchTracer::frames_while_wide(const Flow& flow, const ImageRect& patch_px, int frames_back,
+                                           int most) const {
   const float middle_y = patch_px.y_px + patch_px.height_px / 2 - 0.5F;
   decltype(flow.trace_back({}, 0, 0).point_px) left{patch_px.x_px - 0.5F, middle_y};
   auto right = left;
   right.x_px += patch_px.width_px;
-  float last_view_px = patch_px.width_px;
-  if (along) views_.push_back(0);
-  for (int n = 1; n <= far && (along || by_size); ++n) {
+  for (int n = 1; n <= most; ++n) {
     const auto l = flow.trace_back(left, 1, frames_back + n - 1),
                r = flow.trace_back(right, 1, frames_back + n - 1);
     if (l.frames_back < frames_back + n || r.frames_back < frames_back + n)
-      break;  // an edge entered the view
+      return most;  // an edge entered the view
     left = l.point_px, right = r.point_px;
-    const float width_px = std::hypot(right.x_px - left.x_px, right.y_px - left.y_px);
-    if (by_size && width_px < static_cast<float>(params_.min_width_px)) far = n - 1;
-    if (!along || n > far || width_px * kViewRatio > last_view_px) continue;
-    views_.push_back(n);
-    last_view_px = width_px;
+    if (std::hypot(right.x_px - left.x_px, right.y_px - left.y_px) < static_cast<float>(params_.min_width_px))
+      return n - 1;
   }
-  if (views_.empty() || views_.back() != far) views_.push_back(far);
-  return views_;
+  return most;
 }
 
 template <typename Flow>
 TracedPatch TrainingPatchTracer::trace(const Flow& flow, const AppearanceHistory& appearance,
-                                       const ImageRect& patch_px, int frames_back, int steps,
-                                       std::vector<Bgr>& pixels) {
+                                       const ImageRect& patch_px, int frames_back, std::vector<Bgr>& pixels) {
   pixels.clear();
   TracedPatch result;
+  int most = params_.reverse_flow ? appearance.size() - 1 - frames_back : 0;
+  if (frames_back < 0 || frames_back >= appearance.size()) return result;
+  if (params_.trace_until == "size" && most > 0) most = frames_while_wide(flow, patch_px, frames_back, most);
+
   const float middle_x = patch_px.x_px + patch_px.width_px / 2 - 0.5F,
               middle_y = patch_px.y_px + patch_px.height_px / 2 - 0.5F;
-  result.frames_back = flow.trace_back({middle_x, middle_y}, steps, frames_back).frames_back;
+  result.frames_back = flow.trace_back({middle_x, middle_y}, most, frames_back).frames_back;
   PointBox there;
   stored_.clear();
   const float step = spacing_px(patch_px);
   for (float y = patch_px.y_px + step / 2; y < patch_px.y_px + patch_px.height_px; y += step) {
     for (float x = patch_px.x_px + step / 2; x < patch_px.x_px + patch_px.width_px; x += step) {
-      const auto end = flow.trace_back({x - 0.5F, y - 0.5F}, steps, frames_back);
+      const auto end = flow.trace_back({x - 0.5F, y - 0.5F}, most, frames_back);
       end_at(appearance, end.point_px.x_px, end.point_px.y_px, end.frames_back);
       if (end.frames_back == result.frames_back) there.add(end.point_px.x_px, end.point_px.y_px);
       ++result.points;

@@ -78,22 +78,12 @@ TrainingPatchParams thesis() {
 
 const ImageRect kPatch{40, 40, 30, 20};
 
-/// What the farthest view shows.
-template <typename Flow>
-TracedPatch trace_far(TrainingPatchTracer& tracer, const Flow& flow, const AppearanceHistory& history,
-                      const ImageRect& patch_px, int frames_back, std::vector<Bgr>& pixels) {
-  const auto views = tracer.find_views(flow, history, patch_px, frames_back);
-  pixels.clear();
-  return views.empty() ? TracedPatch{}
-                       : tracer.trace(flow, history, patch_px, frames_back, views.back(), pixels);
-}
-
 TEST(TrainingPatch, TakesEachPixelWhereItsOwnTraceEnds) {
   const AppearanceHistory history = telling_history(60, 1);
   const ShiftFlow flow;
   TrainingPatchTracer tracer(thesis());
   std::vector<Bgr> pixels;
-  const TracedPatch result = trace_far(tracer, flow, history, kPatch, 0, pixels);
+  const TracedPatch result = tracer.trace(flow, history, kPatch, 0, pixels);
   EXPECT_EQ(result.points, 600);
   std::set<Bgr> expected;
   for (int y = 40; y < 60; ++y) {
@@ -112,7 +102,7 @@ TEST(TrainingPatch, WithoutReverseFlowThePatchAsItLooksNow) {
   params.reverse_flow = false;
   TrainingPatchTracer tracer(params);
   std::vector<Bgr> pixels;
-  const TracedPatch result = trace_far(tracer, ZoomFlow{}, history, kPatch, 7, pixels);
+  const TracedPatch result = tracer.trace(ZoomFlow{}, history, kPatch, 7, pixels);
   EXPECT_EQ(result.pixels, 600);
   EXPECT_EQ(result.frames_back, 7);
   EXPECT_EQ(result.there_px, kPatch);
@@ -126,7 +116,7 @@ TEST(TrainingPatch, TracesToTheOldestFrame) {
   const AppearanceHistory history = telling_history(60, 1);
   TrainingPatchTracer tracer(thesis());
   std::vector<Bgr> pixels;
-  const TracedPatch result = trace_far(tracer, ZoomFlow{}, history, kPatch, 0, pixels);
+  const TracedPatch result = tracer.trace(ZoomFlow{}, history, kPatch, 0, pixels);
   EXPECT_EQ(result.frames_back, 50);
   EXPECT_EQ(result.points, 600);
   EXPECT_LT(result.pixels, 60) << "a patch that was small then is few pixels, each once";
@@ -139,36 +129,10 @@ TEST(TrainingPatch, StopsWhileThePatchIsWideEnough) {
   TrainingPatchParams params;
   TrainingPatchTracer tracer(params);
   std::vector<Bgr> pixels;
-  const TracedPatch result = trace_far(tracer, ZoomFlow{}, history, kPatch, 3, pixels);
+  const TracedPatch result = tracer.trace(ZoomFlow{}, history, kPatch, 3, pixels);
   const int expected = static_cast<int>(std::floor(std::log(params.min_width_px / 30.0) / std::log(0.97)));
   EXPECT_EQ(result.frames_back, 3 + expected);
   EXPECT_GE(result.there_px.width_px, params.min_width_px - 0.5);
-}
-
-TEST(TrainingPatch, ViewsAlongTheWayShrinkEvenly) {
-  const AppearanceHistory history = telling_history(60, 1);
-  TrainingPatchParams params;
-  params.views = "along";
-  TrainingPatchTracer tracer(params);
-  const auto views = tracer.find_views(ZoomFlow{}, history, kPatch, 3);
-  ASSERT_GE(views.size(), 4U);
-  EXPECT_EQ(views.front(), 0) << "as it looks now";
-  const auto width_px = [](int steps) { return 30.0 * std::pow(0.97, steps); };
-  for (std::size_t i = 1; i + 1 < views.size(); ++i) {
-    EXPECT_LE(width_px(views[i]) * 1.5, width_px(views[i - 1]) + 1e-3);
-    EXPECT_GT(width_px(views[i] - 1) * 1.5, width_px(views[i - 1]) - 1e-3)
-        << "the first frame that is so small";
-  }
-  EXPECT_GE(width_px(views.back()), params.min_width_px);
-  EXPECT_LT(width_px(views.back() + 1), params.min_width_px);
-}
-
-TEST(TrainingPatch, FarMeansOneView) {
-  const AppearanceHistory history = telling_history(60, 1);
-  TrainingPatchParams params;
-  params.views = "far";
-  TrainingPatchTracer tracer(params);
-  EXPECT_EQ(tracer.find_views(ZoomFlow{}, history, kPatch, 3).size(), 1U);
 }
 
 TEST(TrainingPatch, PixelsThatFallTogetherInAShrunkenPictureCountOnce) {
@@ -177,7 +141,7 @@ TEST(TrainingPatch, PixelsThatFallTogetherInAShrunkenPictureCountOnce) {
   params.reverse_flow = false;
   TrainingPatchTracer tracer(params);
   std::vector<Bgr> pixels;
-  EXPECT_EQ(trace_far(tracer, ZoomFlow{}, history, {40, 40, 32, 20}, 0, pixels).points, 640);
+  EXPECT_EQ(tracer.trace(ZoomFlow{}, history, {40, 40, 32, 20}, 0, pixels).points, 640);
   EXPECT_EQ(pixels.size(), 40U);
 }
 
@@ -188,7 +152,7 @@ TEST(TrainingPatch, PointsAreLimitedAndSpread) {
   params.max_points = 100;
   TrainingPatchTracer tracer(params);
   std::vector<Bgr> pixels;
-  const TracedPatch result = trace_far(tracer, ZoomFlow{}, history, kPatch, 0, pixels);
+  const TracedPatch result = tracer.trace(ZoomFlow{}, history, kPatch, 0, pixels);
   EXPECT_LE(result.points, 100);
   EXPECT_GT(result.points, 50);
   EXPECT_GT(result.there_px.width_px, 25);
@@ -199,9 +163,9 @@ TEST(TrainingPatch, FrameThatIsNoLongerHeldTeachesNothing) {
   const AppearanceHistory history = telling_history(20, 1);
   TrainingPatchTracer tracer(thesis());
   std::vector<Bgr> pixels(3);
-  EXPECT_EQ(trace_far(tracer, ZoomFlow{}, history, kPatch, 20, pixels).points, 0);
+  EXPECT_EQ(tracer.trace(ZoomFlow{}, history, kPatch, 20, pixels).points, 0);
   EXPECT_TRUE(pixels.empty());
-  const TracedPatch result = trace_far(tracer, ZoomFlow{}, history, kPatch, 15, pixels);
+  const TracedPatch result = tracer.trace(ZoomFlow{}, history, kPatch, 15, pixels);
   EXPECT_EQ(result.frames_back, 19) << "flow reaches farther back than pictures";
 }
 
