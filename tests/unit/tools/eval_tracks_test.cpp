@@ -1,12 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Hindsight authors
 // SPDX-License-Identifier: BSD-2-Clause
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <numeric>
 #include <random>
+#include <string>
 
 #include "config/exit_code.h"
 #include "tools/eval_tracks_score.h"
@@ -17,7 +19,7 @@ namespace {
 class TruthFile {
  public:
   explicit TruthFile(const std::string& text)
-      : path_(std::filesystem::path(testing::TempDir()) / "tracks_truth.txt") {
+      : path_(std::filesystem::path(testing::TempDir()) / ("tracks_truth_" + std::to_string(::getpid()) + ".txt")) {
     std::ofstream(path_) << text;
   }
   ~TruthFile() { std::filesystem::remove(path_); }
