@@ -6,54 +6,18 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
-#include <concepts>
 #include <cstddef>
+
+#include "config/crc32.h"
+#include "perception/saved_bytes.h"
 
 namespace hindsight {
 namespace {
 
 constexpr std::array<std::uint8_t, 4> kMagic{'H', 'S', 'A', 'M'};
 constexpr std::uint16_t kVersion = 1;
-constexpr std::size_t kHeaderBytes = 32, kCellBytes = 12, kBinBytes = 6, kChecksumBytes = 4;
-
-std::uint32_t crc32(std::span<const std::uint8_t> bytes) {
-  std::uint32_t crc = ~0u;
-  for (const std::uint8_t byte : bytes) {
-    crc ^= byte;
-    for (int bit = 0; bit < 8; ++bit) crc = crc >> 1 ^ ((crc & 1u) != 0 ? 0xEDB88320u : 0u);
-  }
-  return ~crc;
-}
-
-void put(std::vector<std::uint8_t>& out, std::unsigned_integral auto value) {
-  for (std::size_t i = 0; i < sizeof value; ++i) out.push_back(static_cast<std::uint8_t>(value >> (8 * i)));
-}
-
-/// Reads little-endian numbers; nothing and `ok` false beyond the end.
-class Reader {
- public:
-  explicit Reader(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
-  template <std::unsigned_integral Number>
-  Number take() {
-    Number value = 0;
-    ok_ = ok_ && bytes_.size() - at_ >= sizeof value;
-    if (!ok_) return value;
-    for (std::size_t i = 0; i < sizeof value; ++i) {
-      value = static_cast<Number>(value | static_cast<Number>(bytes_[at_ + i]) << (8 * i));
-    }
-    at_ += sizeof value;
-    return value;
-  }
-  std::size_t at() const { return at_; }
-  bool ok() const { return ok_; }
-
- private:
-  std::span<const std::uint8_t> bytes_;
-  std::size_t at_ = 0;
-  bool ok_ = true;
-};
+constexpr std::size_t kHeaderBytes = 32, kChecksumBytes = 4;
 
 ActivityDecoded refused(const std::string& problem) {
   ActivityDecoded result;
@@ -67,9 +31,9 @@ std::vector<std::uint8_t> encode_activity(const ActivityMap& map) {
   std::vector<std::uint8_t> out(kMagic.begin(), kMagic.end());
   put(out, kVersion);
   put(out, std::uint16_t{0});
-  put(out, std::bit_cast<std::uint64_t>(map.cell()));
+  put(out, map.cell());
   put(out, static_cast<std::uint32_t>(map.cells()));
-  put(out, std::bit_cast<std::uint64_t>(map.params().max_speed));
+  put(out, map.params().max_speed);
   put(out, static_cast<std::uint32_t>(map.active().size()));
   for (std::size_t i = 0; i < map.active().size(); ++i) {
     const auto counts = map.counts(i);
@@ -93,18 +57,18 @@ ActivityDecoded decode_activity(std::span<const std::uint8_t> bytes) {
   if (!std::equal(kMagic.begin(), kMagic.end(), bytes.begin()))
     return refused("byte 0: is no activity map (expected \"HSAM\")");
   const auto body = bytes.first(bytes.size() - kChecksumBytes);
-  Reader in(body.subspan(kMagic.size()));
+  ByteReader in(body.subspan(kMagic.size()));
   if (const auto version = in.take<std::uint16_t>(); version != kVersion) {
     return refused(fmt::format("byte 4: version {}, expected {}", version, kVersion));
   }
-  if (crc32(body) != Reader(bytes.last(kChecksumBytes)).take<std::uint32_t>()) {
+  if (crc32(body) != ByteReader(bytes.last(kChecksumBytes)).take<std::uint32_t>()) {
     return refused(fmt::format("byte {}: the checksum does not fit", body.size()));
   }
   in.take<std::uint16_t>();
   ActivityMapParams params;
-  params.cell = std::bit_cast<double>(in.take<std::uint64_t>());
+  params.cell = in.take_double();
   const auto cells = in.take<std::uint32_t>();
-  params.max_speed = std::bit_cast<double>(in.take<std::uint64_t>());
+  params.max_speed = in.take_double();
   if (!(params.cell > 0.0 && params.cell < 1e6) || cells < 8 || cells > 1024 ||
       !(params.max_speed > 0.0 && params.max_speed < 1e6)) {
     return refused("byte 8: no map has such cells, so many or such speeds");

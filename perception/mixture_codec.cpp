@@ -6,9 +6,10 @@
 
 #include <Eigen/Cholesky>
 #include <array>
-#include <bit>
 #include <cmath>
-#include <concepts>
+
+#include "config/crc32.h"
+#include "perception/saved_bytes.h"
 
 namespace hindsight {
 namespace {
@@ -17,45 +18,7 @@ constexpr std::array<std::uint8_t, 4> kMagic{'H', 'S', 'M', 'X'};
 constexpr std::uint16_t kVersion = 1;
 constexpr std::size_t kHeaderBytes = 12, kComponentBytes = 13 * 8 + 1, kChecksumBytes = 4;
 
-/// IEEE 802.3, as in zip and Ethernet.
-std::uint32_t crc32(std::span<const std::uint8_t> bytes) {
-  std::uint32_t crc = ~0u;
-  for (const std::uint8_t byte : bytes) {
-    crc ^= byte;
-    for (int bit = 0; bit < 8; ++bit) crc = crc >> 1 ^ ((crc & 1u) != 0 ? 0xEDB88320u : 0u);
-  }
-  return ~crc;
-}
-
-void put(std::vector<std::uint8_t>& out, std::unsigned_integral auto value) {
-  for (std::size_t i = 0; i < sizeof value; ++i) out.push_back(static_cast<std::uint8_t>(value >> (8 * i)));
-}
-
-void put(std::vector<std::uint8_t>& out, double value) { put(out, std::bit_cast<std::uint64_t>(value)); }
-
-/// Reads little-endian numbers; only within bytes whose length was checked before.
-class Reader {
- public:
-  explicit Reader(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
-
-  template <std::unsigned_integral Number>
-  Number take() {
-    Number value = 0;
-    for (std::size_t i = 0; i < sizeof value; ++i) {
-      value = static_cast<Number>(value | static_cast<Number>(bytes_[at_ + i]) << (8 * i));
-    }
-    at_ += sizeof value;
-    return value;
-  }
-  double take_double() { return std::bit_cast<double>(take<std::uint64_t>()); }
-  std::size_t at() const { return at_; }
-
- private:
-  std::span<const std::uint8_t> bytes_;
-  std::size_t at_ = 0;
-};
-
-MixtureComponent take_component(Reader& in) {
+MixtureComponent take_component(ByteReader& in) {
   MixtureComponent c;
   for (double& m : c.mean) m = in.take_double();
   for (int row = 0; row < 3; ++row) {
@@ -82,7 +45,7 @@ std::string envelope_problem(std::span<const std::uint8_t> bytes) {
   if (bytes.size() < kHeaderBytes + kChecksumBytes) {
     return fmt::format("ends at byte {}, within the header", bytes.size());
   }
-  Reader in(bytes);
+  ByteReader in(bytes);
   for (const std::uint8_t magic : kMagic) {
     if (in.take<std::uint8_t>() != magic) return "byte 0: is no mixture (expected \"HSMX\")";
   }
@@ -99,7 +62,7 @@ std::string envelope_problem(std::span<const std::uint8_t> bytes) {
   if (bytes.size() != expected)
     return fmt::format("is {} bytes long, {} components take {}", bytes.size(), count, expected);
   const auto body = bytes.first(expected - kChecksumBytes);
-  if (crc32(body) != Reader(bytes.last(kChecksumBytes)).take<std::uint32_t>()) {
+  if (crc32(body) != ByteReader(bytes.last(kChecksumBytes)).take<std::uint32_t>()) {
     return fmt::format("byte {}: the checksum does not fit", body.size());
   }
   return {};
@@ -132,7 +95,7 @@ MixtureDecoded decode_mixture(std::span<const std::uint8_t> bytes) {
   MixtureDecoded result;
   result.problem = envelope_problem(bytes);
   if (!result.problem.empty()) return result;
-  Reader in(bytes.subspan(6));
+  ByteReader in(bytes.subspan(6));
   result.mixture.color_space = static_cast<ColorSpace>(in.take<std::uint16_t>());
   const auto count = in.take<std::uint32_t>();
   for (std::uint32_t i = 0; i < count; ++i) {

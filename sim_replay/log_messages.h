@@ -21,7 +21,7 @@
 
 #include "drivers/tick_input.h"
 #include "sim_replay/big_endian.h"
-#include "sim_replay/crc32.h"
+#include "config/crc32.h"
 #include "sim_replay/run_header.h"
 
 namespace hindsight {

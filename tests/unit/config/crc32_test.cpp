@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Hindsight authors
 // SPDX-License-Identifier: BSD-2-Clause
-#include "sim_replay/crc32.h"
+#include "config/crc32.h"
 
 #include <gtest/gtest.h>
 
