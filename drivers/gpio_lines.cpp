@@ -38,17 +38,17 @@ std::optional<unsigned> as_offset(const std::string& name) {
   return offset;
 }
 
-gpiod_line* find_line(gpiod_chip* chip, const std::string& name) {
-  if (const auto offset = as_offset(name)) return gpiod_chip_get_line(chip, *offset);
-  return gpiod_chip_find_line(chip, name.c_str());
-}
-
 Time stamp_of(const gpiod_line_event& event, Time now) {
   const Time stamp = std::chrono::seconds(event.ts.tv_sec) + std::chrono::nanoseconds(event.ts.tv_nsec);
   return stamp <= now && stamp > now - kOldestStamp ? stamp : now;
 }
 
 }  // namespace
+
+gpiod_line* find_gpio_line(gpiod_chip* chip, const std::string& name) {
+  if (const auto offset = as_offset(name)) return gpiod_chip_get_line(chip, *offset);
+  return gpiod_chip_find_line(chip, name.c_str());
+}
 
 void GpioLines::ChipCloser::operator()(gpiod_chip* chip) const { gpiod_chip_close(chip); }
 
@@ -89,7 +89,7 @@ bool GpioLines::open(DeviceError& error) {
 
 bool GpioLines::open_line(Line which, const std::string& name, bool active_low, DeviceError& error) {
   if (name.empty()) return true;
-  gpiod_line* line = find_line(chip_.get(), name);
+  gpiod_line* line = find_gpio_line(chip_.get(), name);
   if (line == nullptr) {
     error = DeviceError::from_errno(errno, params_.chip, fmt::format("there is no line {}", name));
     return false;

@@ -40,6 +40,9 @@ struct GpioParams {
   }
 };
 
+/// A chip's line by its name or offset; null where there is none.
+gpiod_line* find_gpio_line(gpiod_chip* chip, const std::string& name);
+
 /// Bumpers and emergency stop on GPIO lines: each edge, both ways, with the kernel's time stamp
 /// (CLOCK_MONOTONIC since Linux 5.7; a stamp of another clock is replaced by the time of reading).
 ///

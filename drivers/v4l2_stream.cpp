@@ -26,18 +26,6 @@ int control(int fd, unsigned long request, void* argument) {
   return result < 0 ? errno : 0;
 }
 
-std::uint32_t fourcc(PixelFormat format) {
-  switch (format) {
-    case PixelFormat::yuyv:
-      return V4L2_PIX_FMT_YUYV;
-    case PixelFormat::mjpeg:
-      return V4L2_PIX_FMT_MJPEG;
-    case PixelFormat::bgr24:
-      break;
-  }
-  return V4L2_PIX_FMT_BGR24;
-}
-
 std::string fourcc_text(std::uint32_t code) {
   std::string text;
   for (unsigned shift = 0; shift < 32; shift += 8) {
@@ -67,6 +55,18 @@ Time monotonic_stamp_of(const v4l2_buffer& buffer) {
 }
 
 }  // namespace
+
+std::uint32_t fourcc_of(PixelFormat format) {
+  switch (format) {
+    case PixelFormat::yuyv:
+      return V4L2_PIX_FMT_YUYV;
+    case PixelFormat::mjpeg:
+      return V4L2_PIX_FMT_MJPEG;
+    case PixelFormat::bgr24:
+      break;
+  }
+  return V4L2_PIX_FMT_BGR24;
+}
 
 PixelFormat pixel_format(const std::string& name) {
   if (name == "mjpeg") return PixelFormat::mjpeg;
@@ -120,7 +120,7 @@ bool V4l2Stream::set_format(const CameraFormatParams& params, DeviceError& error
   wanted.type = kType;
   wanted.fmt.pix.width = static_cast<std::uint32_t>(params.width_px);
   wanted.fmt.pix.height = static_cast<std::uint32_t>(params.height_px);
-  wanted.fmt.pix.pixelformat = fourcc(format);
+  wanted.fmt.pix.pixelformat = fourcc_of(format);
   wanted.fmt.pix.field = V4L2_FIELD_NONE;
   v4l2_format given = wanted;
   if (const int code = control(fd_.get(), VIDIOC_S_FMT, &given); code != 0) {

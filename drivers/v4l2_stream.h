@@ -38,6 +38,9 @@ struct CameraFormatParams {
 /// "yuyv", "mjpeg" or "bgr24", as CameraFormatParams::format has it.
 PixelFormat pixel_format(const std::string& name);
 
+/// The kernel's code of the same, V4L2_PIX_FMT_*.
+std::uint32_t fourcc_of(PixelFormat format);
+
 /// Bytes of one row of pixels, without padding; 0 for MJPEG.
 std::size_t row_bytes(const CameraFormatParams& params);
 

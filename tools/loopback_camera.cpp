@@ -20,18 +20,6 @@ namespace {
 
 constexpr int kJpegQuality = 90;
 
-std::uint32_t fourcc(PixelFormat format) {
-  switch (format) {
-    case PixelFormat::yuyv:
-      return V4L2_PIX_FMT_YUYV;
-    case PixelFormat::mjpeg:
-      return V4L2_PIX_FMT_MJPEG;
-    case PixelFormat::bgr24:
-      return V4L2_PIX_FMT_BGR24;
-  }
-  return 0;
-}
-
 std::uint8_t to_byte(double v) { return static_cast<std::uint8_t>(std::clamp(v + 0.5, 0.0, 255.0)); }
 
 /// BT.601, limited range, as cameras mean it. The pair shares the chroma of its left pixel.
@@ -66,7 +54,7 @@ void LoopbackCamera::set_format() {
   v4l2_pix_format& picture = format.fmt.pix;
   picture.width = static_cast<std::uint32_t>(params_.width_px);
   picture.height = static_cast<std::uint32_t>(params_.height_px);
-  picture.pixelformat = fourcc(format_);
+  picture.pixelformat = fourcc_of(format_);
   picture.bytesperline = static_cast<std::uint32_t>(row_bytes(params_));
   const std::uint32_t widest = 3 * picture.width;  // more than a JPEG of this quality takes
   picture.sizeimage = std::max(picture.bytesperline, widest) * picture.height;
@@ -78,17 +66,23 @@ void LoopbackCamera::set_format() {
          "takes no pictures of this size and format (a v4l2loopback device does)");
 }
 
-void LoopbackCamera::show(std::span<const std::uint8_t> bgr) {
-  bytes_.clear();
-  const cv::Mat picture(params_.height_px, params_.width_px, CV_8UC3, const_cast<std::uint8_t*>(bgr.data()));
+std::vector<std::uint8_t> LoopbackCamera::encode(std::span<const std::uint8_t> bgr) const {
+  std::vector<std::uint8_t> bytes;
   if (format_ == PixelFormat::mjpeg) {
-    cv::imencode(".jpg", picture, bytes_, {cv::IMWRITE_JPEG_QUALITY, kJpegQuality});
+    const cv::Mat picture(params_.height_px, params_.width_px, CV_8UC3,
+                          const_cast<std::uint8_t*>(bgr.data()));
+    cv::imencode(".jpg", picture, bytes, {cv::IMWRITE_JPEG_QUALITY, kJpegQuality});
   } else if (format_ == PixelFormat::bgr24) {
-    bytes_.assign(bgr.begin(), bgr.end());
+    bytes.assign(bgr.begin(), bgr.end());
   } else {
-    for (std::size_t i = 0; i + 6 <= bgr.size(); i += 6) append_yuyv_pair(&bgr[i], &bgr[i + 3], bytes_);
+    bytes.reserve(bgr.size() / 3 * 2);
+    for (std::size_t i = 0; i + 6 <= bgr.size(); i += 6) append_yuyv_pair(&bgr[i], &bgr[i + 3], bytes);
   }
-  if (write(device_.get(), bytes_.data(), bytes_.size()) != static_cast<ssize_t>(bytes_.size()))
+  return bytes;
+}
+
+void LoopbackCamera::show(std::span<const std::uint8_t> encoded) {
+  if (write(device_.get(), encoded.data(), encoded.size()) != static_cast<ssize_t>(encoded.size()))
     fail(kExitIo, params_.device, "does not take a picture");
 }
 

@@ -21,9 +21,11 @@ class LoopbackCamera {
   /// device is absent, busy or no video output.
   explicit LoopbackCamera(const CameraFormatParams& params);
 
-  /// Shows one picture: row-major, 3 bytes a pixel, of the size given at construction. FatalError(kExitIo)
-  /// where the device does not take it.
-  void show(std::span<const std::uint8_t> bgr);
+  /// A picture as such a camera sends it. `bgr`: row-major, 3 bytes a pixel, of the size given at
+  /// construction.
+  std::vector<std::uint8_t> encode(std::span<const std::uint8_t> bgr) const;
+  /// Shows an encoded picture. FatalError(kExitIo) where the device does not take it.
+  void show(std::span<const std::uint8_t> encoded);
 
  private:
   void set_format();
@@ -31,7 +33,6 @@ class LoopbackCamera {
   CameraFormatParams params_;
   PixelFormat format_;
   UniqueFd device_;
-  std::vector<std::uint8_t> bytes_;
 };
 
 }  // namespace hindsight::tools

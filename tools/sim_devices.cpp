@@ -105,7 +105,7 @@ class CameraThread {
         const BodyPose now = pose();
         const RenderedFrame& frame = renderer.render(now, std::exchange(before, now), to_seconds(period),
                                                      to_seconds(due - began), false);
-        camera.show(frame.bgr);
+        camera.show(camera.encode(frame.bgr));
         ++frames_;
       }
     } catch (...) {

@@ -6,10 +6,8 @@
 #include <glob.h>
 #include <gpiod.h>
 
-#include <charconv>
 #include <fstream>
 #include <memory>
-#include <optional>
 
 #include "config/exit_code.h"
 
@@ -30,13 +28,6 @@ std::string find_path(const std::string& pattern) {
   return path;
 }
 
-gpiod_line* find_line(gpiod_chip* chip, const std::string& name) {
-  unsigned offset = 0;
-  const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), offset);
-  if (error == std::errc{} && end == name.data() + name.size()) return gpiod_chip_get_line(chip, offset);
-  return gpiod_chip_find_line(chip, name.c_str());
-}
-
 }  // namespace
 
 SimulatedLines::SimulatedLines(const GpioParams& params) {
@@ -44,7 +35,7 @@ SimulatedLines::SimulatedLines(const GpioParams& params) {
   if (!chip) throw FatalError(kExitNoDevice, params.chip + ": no such GPIO chip");
   const auto wire = [&](Line which, const std::string& name, bool active_low) {
     if (name.empty()) return;
-    gpiod_line* line = find_line(chip.get(), name);
+    gpiod_line* line = find_gpio_line(chip.get(), name);
     if (line == nullptr)
       throw FatalError(kExitNoDevice, fmt::format("{}: the GPIO chip has no line '{}'", params.chip, name));
     const std::string file = find_path(fmt::format("/sys/devices/platform/gpio-sim.*/{}/sim_gpio{}/pull",

@@ -4,12 +4,9 @@
 // The client against a real gpsd, which gpsfake feeds with sentences of a known place, on loopback.
 #include "drivers/gpsd_client.h"
 
-#include <arpa/inet.h>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <netinet/in.h>
 #include <signal.h>
-#include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -19,8 +16,8 @@
 #include <functional>
 
 #include "drivers/monotonic_clock.h"
-#include "drivers/unique_fd.h"
 #include "recording_sink.h"
+#include "tests/support/free_port.h"
 
 namespace hindsight {
 namespace {
@@ -44,17 +41,6 @@ std::string epoch(int second, bool has_fix) {
          sentence("GPGGA," + time + ",4712.34560,N,00831.50000,E,1,08,1.0,450.0,M,48.0,M,,") +
          sentence("GPGSA,A,3,04,05,09,12,17,20,24,28,,,,,1.8,1.0,1.5") +
          sentence("GPGST," + time + ",5.0,3.0,2.0,0.0,3.0,2.0,4.0");
-}
-
-std::string free_port() {
-  const UniqueFd fd(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0));
-  sockaddr_in address{};
-  address.sin_family = AF_INET;
-  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-  socklen_t length = sizeof(address);
-  EXPECT_EQ(::bind(fd.get(), reinterpret_cast<sockaddr*>(&address), length), 0);
-  EXPECT_EQ(::getsockname(fd.get(), reinterpret_cast<sockaddr*>(&address), &length), 0);
-  return std::to_string(ntohs(address.sin_port));
 }
 
 /// gpsfake and the gpsd that it starts, in a process group of their own.
@@ -101,7 +87,7 @@ class Gpsd : public testing::Test {
 
 TEST_F(Gpsd, GivesFixesLosesItAndFindsItAgain) {
   GpsParams params;
-  params.port = free_port();
+  params.port = test::free_port();
   params.reopen.longest_s = 0.5;
   GpsdClient client(params, sink_);
   {

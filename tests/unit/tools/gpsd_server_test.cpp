@@ -2,16 +2,14 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "tools/gpsd_server.h"
 
-#include <arpa/inet.h>
 #include <gtest/gtest.h>
-#include <netinet/in.h>
-#include <sys/socket.h>
 
 #include <string>
 #include <vector>
 
 #include "config/exit_code.h"
 #include "drivers/gpsd_client.h"
+#include "tests/support/free_port.h"
 
 namespace hindsight::tools {
 namespace {
@@ -27,20 +25,9 @@ struct Fixes : SampleSink {
   void on_report(const SourceReport&) override {}
 };
 
-std::string free_port() {
-  const UniqueFd fd(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0));
-  sockaddr_in address{};
-  address.sin_family = AF_INET;
-  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-  socklen_t length = sizeof(address);
-  EXPECT_EQ(::bind(fd.get(), reinterpret_cast<sockaddr*>(&address), length), 0);
-  EXPECT_EQ(::getsockname(fd.get(), reinterpret_cast<sockaddr*>(&address), &length), 0);
-  return std::to_string(ntohs(address.sin_port));
-}
-
 TEST(GpsdServer, TheRobotsOwnClientHearsItsFixes) {
   GpsParams params;
-  params.port = free_port();
+  params.port = test::free_port();
   GpsdServer server(params);
   Fixes heard;
   GpsdClient client(params, heard);
@@ -62,7 +49,7 @@ TEST(GpsdServer, TheRobotsOwnClientHearsItsFixes) {
 
 TEST(GpsdServer, APortThatIsTakenIsNamed) {
   GpsParams params;
-  params.port = free_port();
+  params.port = test::free_port();
   const GpsdServer first(params);
   try {
     const GpsdServer second(params);
