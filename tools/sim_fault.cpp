@@ -2,10 +2,34 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "tools/sim_fault.h"
 
-#include <cerrno>
-#include <utility>
+#include <vector>
 
 namespace hindsight::tools {
+
+namespace {
+
+/// What says nothing any more.
+std::optional<Source> silent_source(SimFault fault) {
+  switch (fault) {
+    case SimFault::bus_cut:
+    case SimFault::bus_silent:
+      return Source::can;
+    case SimFault::camera_off:
+      return Source::camera;
+    case SimFault::lines_failed:
+      return Source::gpio;
+    case SimFault::gps_off:
+      return Source::gps;
+    case SimFault::none:
+    case SimFault::killed:
+    case SimFault::loop_hangs:
+    case SimFault::wheels_off:
+      break;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
 
 const char* name_of(SimFault fault) {
   constexpr std::array kNames{"none",       "process killed",      "loop hangs",         "CAN bus cut",
@@ -15,30 +39,14 @@ const char* name_of(SimFault fault) {
 }
 
 void FaultInjector::inject(SimFault fault, TickInput& input) {
-  switch (fault) {
-    case SimFault::bus_cut:
-    case SimFault::bus_silent:
-      input.can.clear();
-      break;
-    case SimFault::wheels_off:
-      std::erase_if(input.can,
-                    [&](const CanFrame& frame) { return decoder_.decode(frame).has(SignalGroup::wheels); });
-      break;
-    case SimFault::camera_off:
-      input.frame = {};
-      break;
-    case SimFault::lines_failed:
-      if (!std::exchange(reported_, true))
-        input.reports.push_back({input.now, Source::gpio, SourceState::failed, 0, EIO});
-      break;
-    case SimFault::gps_off:
-      input.fixes.clear();
-      break;
-    case SimFault::none:
-    case SimFault::killed:
-    case SimFault::loop_hangs:
-      break;
+  if (fault == SimFault::wheels_off) {
+    std::erase_if(input.can,
+                  [&](const CanFrame& frame) { return decoder_.decode(frame).has(SignalGroup::wheels); });
   }
+  const std::optional<Source> source = silent_source(fault);
+  if (!source) return;
+  if (!silence_) silence_.emplace(std::vector{FaultSpec{*source, FaultKind::off, Time{}, Time::max()}});
+  silence_->inject(input);
 }
 
 }  // namespace hindsight::tools

@@ -6,11 +6,13 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 
 #include "daemon/robot_config.h"
 #include "drivers/dbc.h"
 #include "drivers/tick_input.h"
 #include "drivers/vehicle_decoder.h"
+#include "sim_replay/sample_faults.h"
 
 namespace hindsight::tools {
 
@@ -38,12 +40,12 @@ class FaultInjector {
  public:
   FaultInjector(const Dbc& dbc, const CanRolesParams& roles) : decoder_(dbc, roles) {}
 
-  /// Call once for each tick, from the tick on in which the fault begins.
+  /// Call once for each tick, from the tick on in which the fault begins; always with the same fault.
   void inject(SimFault fault, TickInput& input);
 
  private:
   VehicleDecoder decoder_;  ///< tells which messages bring the encoders
-  bool reported_ = false;
+  std::optional<SampleFaults> silence_;
 };
 
 }  // namespace hindsight::tools
