@@ -92,8 +92,10 @@ cv::Mat read_picture(const std::filesystem::path& path) {
 ByClass look_at_stills(const std::string& folder) {
   if (!std::filesystem::is_directory(folder)) throw FatalError(kExitNoInput, folder + ": no such folder");
   ByClass seen;
+  bool any = false;
   for (const auto& still : std::filesystem::directory_iterator(folder)) {
     if (!still.is_directory()) continue;
+    any = true;
     const cv::Mat picture = read_picture(still.path() / "rgb.jpg");
     const cv::Mat labels = read_picture(still.path() / "labels.png");
     if (picture.size() != labels.size())
@@ -105,6 +107,9 @@ ByClass look_at_stills(const std::string& folder) {
       }
     }
   }
+  if (!any)
+    throw FatalError(kExitNoInput,
+                     folder + ": holds no stills; expected folders with rgb.jpg and labels.png");
   return seen;
 }
 

@@ -131,6 +131,8 @@ void add_sim(CLI::App& app, Run& run) {
   command->add_option("--seconds", arguments->seconds, "Longest run, in the world's time [s]")
       ->capture_default_str()
       ->check(CLI::PositiveNumber);
+  CLI::Option* config =
+      command->add_option("--config", arguments->configuration_files, "The robot's configuration");
   CLI::Option* record =
       command->add_option("--record", arguments->record, "Run log to write")->type_name("RUN.lcm");
   CLI::Option* pace =
@@ -142,8 +144,8 @@ void add_sim(CLI::App& app, Run& run) {
           "Be the world of a running hindsightd: at the other end of the v4l2loopback device, CAN bus, "
           "gpio-sim lines and gpsd port that its configuration names; goes by the clock")
       ->excludes(record)
-      ->excludes(pace);
-  command->add_option("--config", arguments->configuration_files, "The robot's configuration");
+      ->excludes(pace)
+      ->needs(config);
   command->callback([arguments, &run] { run = [arguments] { return sim(*arguments); }; });
 }
 

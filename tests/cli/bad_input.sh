@@ -142,7 +142,10 @@ expect 78 'course.toml:3:1.*lenght_m.*length_m' "$tool" sim course.toml
 overlay inside.toml '[course]\nname = "x"\n[trees]\nat_m = [0.2, 0.1]\n'
 expect 78 'inside.toml: the start .* tree' "$tool" sim inside.toml
 expect 69 'no EGL' env __EGL_VENDOR_LIBRARY_FILENAMES=/absent "$tool" sim "$courses/forest.toml" --seconds 1
+mkdir -p no_stills
+expect 66 'no_stills: holds no stills' "$tool" experiment colours "$courses/forest.toml" --stills no_stills -o colours
 expect 69 'nocan0' "$tool" sim "$courses/forest.toml" --devices --config nocan.toml
+expect 64 'devices requires --config' "$tool" sim "$courses/forest.toml" --devices
 expect 64 'excludes --devices' "$tool" sim "$courses/forest.toml" --devices --record run.lcm
 expect 74 'absent/run.lcm' "$tool" sim "$courses/orange_fence.toml" --seconds 1 --record absent/run.lcm
 expect 66 'segmentation_' "$tool" experiment navigation "$courses/forest.toml" -o experiment
