@@ -14,10 +14,7 @@ namespace {
 /// Ground farther away is known too poorly to say how fast something moves there.
 constexpr double kFarthest_m = 30.0;
 
-Eigen::Vector2d in_W(const Pose2& X_WB, const Point2& p_B) {
-  const double c = std::cos(X_WB.heading_rad), s = std::sin(X_WB.heading_rad);
-  return {X_WB.x_m + c * p_B.x_m - s * p_B.y_m, X_WB.y_m + s * p_B.x_m + c * p_B.y_m};
-}
+Eigen::Vector2d vector_of(const Point2& p) { return {p.x_m, p.y_m}; }
 
 }  // namespace
 
@@ -48,8 +45,8 @@ GroundMotion MotionSense::project(const Track& track, const Pose2& X_WB) const {
     const auto nowhere = Eigen::Vector2d::Constant(std::numeric_limits<double>::quiet_NaN());
     return {nowhere, nowhere};
   }
-  const Eigen::Vector2d p_W = in_W(X_WB, *foot);
-  return {p_W, in_W(X_WB, *next) - p_W};
+  const Eigen::Vector2d p_W = vector_of(X_WB * *foot);
+  return {p_W, vector_of(X_WB * *next) - p_W};
 }
 
 }  // namespace hindsight
