@@ -10,24 +10,15 @@
 namespace hindsight {
 namespace {
 
-/// Pixels that a frame's strip, a traced strip, and what lies beside one row count as, so that near and far
-/// count alike.
-constexpr float kDefinitionCount = 400.0F, kTracedCount = 800.0F, kBesideCount = 60.0F;
-/// And the band above the horizon, in parts of the way from there to the bottom.
-constexpr float kAboveCount = 100.0F, kAboveFrom = 0.15F, kAboveTo = 0.05F;
-/// A traced strip is believed where it became narrower as perspective wants, up to this factor.
-constexpr float kMostOff = 1.4F;
 /// The farthest row, in parts of the way from the horizon to the bottom; above the horizon, as ground may
 /// rise.
 constexpr float kFarthest = -0.04F;
 /// Half widths per row below the horizon (half the road's width over the camera's height) that are tried
 /// where no road is known, and horizons in parts of the picture's height where the camera does not tell.
-constexpr std::array kSlopes{0.5F, 0.8F, 1.25F, 2.0F, 3.2F};
+constexpr std::array kSlopes{0.5F, 0.8F, 1.25F, 2.0F, kWidestRoadSlope};
 constexpr std::array kHorizons{0.2F, 0.3F, 0.4F, 0.5F};
 /// No road is expected to be narrower than this half width, however far away.
 constexpr float kNarrowest = 2.5F;
-/// A row that fits worse than this neither corrects the filter nor teaches colours.
-constexpr float kFits = 0.3F;
 /// Standard deviations of a row's middle in half widths, where the fit is 1.
 constexpr float kRowSigma = 0.15F;
 /// Rows that fit worse than this are no more uncertain.
@@ -62,17 +53,15 @@ constexpr double kConfidenceMemory_s = 1.0;
 /// Of a first-order filter's way that it goes in a frame.
 float part_in(double dt_s, double memory_s) { return static_cast<float>(1.0 - std::exp(-dt_s / memory_s)); }
 
-int stored_size(int full_px, int shrink) { return full_px / shrink; }
-
 }  // namespace
 
 ColorRoad::ColorRoad(const RoadParams& params, const RoadPicture& picture, int history_depth)
     : params_(params),
       picture_(picture),
-      stored_width_(stored_size(picture.width_px, picture.shrink)),
-      stored_height_(stored_size(picture.height_px, picture.shrink)),
-      definition_(params, picture, history_depth),
+      stored_width_(picture.width_px / picture.shrink),
+      stored_height_(picture.height_px / picture.shrink),
       far_motion_(4096),
+      learner_(params, picture, history_depth),
       profile_(params.rows, stored_width_),
       search_(params.rows, std::max(1, stored_width_ / kSearchColumns), kAcquireSteps),
       filter_(params.rows) {
@@ -83,18 +72,13 @@ ColorRoad::ColorRoad(const RoadParams& params, const RoadPicture& picture, int h
 }
 
 void ColorRoad::reset() {
-  colors_.clear();
+  learner_.clear();
   filter_.reset();
   following_ = false;
   confidence_ = 0.0F;
   const double horizon_px =
       std::isfinite(picture_.horizon_row_px) ? picture_.horizon_row_px : 0.4 * picture_.height_px;
   shape_ = {static_cast<float>(horizon_px / picture_.shrink), 1.25F};
-}
-
-float ColorRoad::to_full(float stored) const {
-  const auto shrink = static_cast<float>(picture_.shrink);
-  return stored * shrink + 0.5F * (shrink - 1.0F);
 }
 
 float ColorRoad::half_width(const Shape& shape, std::size_t row) const {
@@ -118,86 +102,16 @@ void ColorRoad::update(const RoadInput& input, RoadEstimate& estimate) {
 }
 
 void ColorRoad::learn(const RoadInput& input, const ColorView& picture) {
-  colors_.fade(static_cast<float>(std::exp(-input.dt_s / params_.color_memory_s)));
-  learn_definition(input, picture);
+  learner_.fade(input.dt_s);
+  learner_.learn_definition(input, picture, shape_.horizon, ++frames_ % params_.refresh_frames == 0);
   if (following_) {
-    learn_beside(picture);
-    learn_above(picture);
+    learner_.learn_beside(picture, rows_, std::span(found_).first(static_cast<std::size_t>(visible_rows_)));
+    learner_.learn_above(picture, shape_.horizon);
   } else {
-    learn_beside_anything(picture);
+    lay_rows(shape_);
+    learner_.learn_beside_anything(picture, rows_, shape_.horizon);
   }
-  colors_.refresh();
-}
-
-void ColorRoad::learn_definition(const RoadInput& input, const ColorView& picture) {
-  const float shrink = static_cast<float>(picture_.shrink);
-  const float height = static_cast<float>(params_.definition_height_px) / shrink;
-  const auto add = [&](const ColorView& from, const RoadStrip& strip, float count) {
-    const int left = static_cast<int>(strip.left_px / shrink),
-              right = static_cast<int>(strip.right_px / shrink);
-    const int top = static_cast<int>(strip.top_px / shrink),
-              bottom = static_cast<int>(strip.top_px / shrink + height);
-    const int area = std::max(1, (right - left) * (bottom - top));
-    colors_.add(RoadColors::Side::road, from, left, right, top, bottom, count / static_cast<float>(area));
-  };
-  const RoadStrip& region = definition_.region();
-  add(picture, region, kDefinitionCount);
-  if (++frames_ % params_.refresh_frames != 0) return;
-  const float horizon_px = to_full(shape_.horizon), half_height_px = 0.5F * height * shrink;
-  const float region_slope = region.width_px() / (region.top_px + half_height_px - horizon_px);
-  for (const RoadStrip& strip : definition_.trace(input.history, params_.templates)) {
-    const float below_px = strip.top_px + half_height_px - horizon_px;
-    const float off = strip.width_px() / std::max(1.0F, region_slope * below_px);
-    if (below_px <= 0.0F || off > kMostOff || off < 1.0F / kMostOff) continue;
-    if (strip.frames_back >= input.appearance.size()) continue;
-    add({input.appearance.picture(strip.frames_back), stored_width_, stored_height_}, strip, kTracedCount);
-  }
-}
-
-void ColorRoad::learn_beside(const ColorView& picture) {
-  for (std::size_t k = 0; k < rows_.size(); ++k) {
-    const FoundRoad& road = found_[k];
-    if (static_cast<int>(k) >= visible_rows_ || road.fit < kFits) continue;
-    const float half = road.half_width_px;
-    const Row& row = rows_[k];
-    const auto add = [&](float from, float to) {
-      const int left = std::max(0, static_cast<int>(from)),
-                right = std::min(stored_width_, static_cast<int>(to));
-      const int area = (right - left) * (row.bottom - row.top);
-      if (right - left < 2) return;
-      colors_.add(RoadColors::Side::beside, picture, left, right, row.top, row.bottom,
-                  kBesideCount / static_cast<float>(area));
-    };
-    add(road.middle_px - 2.2F * half, road.middle_px - 1.2F * half);
-    add(road.middle_px + 1.2F * half, road.middle_px + 2.2F * half);
-  }
-}
-
-/// What stands above the horizon is no road.
-void ColorRoad::learn_above(const ColorView& picture) {
-  const float deepest = static_cast<float>(stored_height_ - 1) - shape_.horizon;
-  const int top = std::max(0, static_cast<int>(shape_.horizon - kAboveFrom * deepest));
-  const int bottom = static_cast<int>(shape_.horizon - kAboveTo * deepest);
-  if (bottom <= top) return;
-  colors_.add(RoadColors::Side::beside, picture, 0, stored_width_, top, bottom,
-              kAboveCount / static_cast<float>(stored_width_ * (bottom - top)));
-}
-
-/// Where nothing is known, the sides of the picture below the horizon: some road among it does little harm,
-/// as what is on the road as often as there comes out as likelier road.
-void ColorRoad::learn_beside_anything(const ColorView& picture) {
-  lay_rows(shape_);
-  const float middle = 0.5F * static_cast<float>(stored_width_);
-  for (std::size_t k = 0; k < rows_.size(); ++k) {
-    const float half = std::max(0.2F * middle, kSlopes.back() * (rows_[k].row - shape_.horizon));
-    if (half > 0.8F * middle) continue;
-    const int left = static_cast<int>(middle - half), right = static_cast<int>(middle + half);
-    const int area = 2 * left * (rows_[k].bottom - rows_[k].top);
-    const float weight = 2.0F * kBesideCount / static_cast<float>(std::max(1, area));
-    colors_.add(RoadColors::Side::beside, picture, 0, left, rows_[k].top, rows_[k].bottom, weight);
-    colors_.add(RoadColors::Side::beside, picture, right, stored_width_, rows_[k].top, rows_[k].bottom,
-                weight);
-  }
+  learner_.refresh();
 }
 
 /// From the bottom of the picture to just below the horizon, evenly spaced; each is the mean of the pixel
@@ -207,7 +121,7 @@ void ColorRoad::lay_rows(const Shape& shape) {
   const float deepest = bottom - shape.horizon;
   const float spacing = deepest * (1.0F - kFarthest) / static_cast<float>(rows_.size() - 1);
   for (std::size_t k = 0; k < rows_.size(); ++k) {
-    Row& row = rows_[k];
+    SearchRow& row = rows_[k];
     row.row = bottom - spacing * static_cast<float>(k);
     const float reach = 0.5F * std::min(spacing, 0.15F * std::max(0.0F, row.row - shape.horizon));
     row.top = std::clamp(static_cast<int>(row.row - reach), 0, stored_height_ - 1);
@@ -217,7 +131,7 @@ void ColorRoad::lay_rows(const Shape& shape) {
 
 void ColorRoad::fill_profile(const ColorView& picture) {
   for (std::size_t k = 0; k < rows_.size(); ++k)
-    profile_.fill(static_cast<int>(k), colors_, picture, rows_[k].top, rows_[k].bottom);
+    profile_.fill(static_cast<int>(k), learner_.colors(), picture, rows_[k].top, rows_[k].bottom);
 }
 
 std::span<const FoundRoad> ColorRoad::search(const Shape& shape, bool acquiring) {
@@ -286,8 +200,8 @@ void ColorRoad::acquire(const ColorView& picture) {
 }
 
 void ColorRoad::follow(const RoadInput& input, const ColorView& picture) {
-  const FarMotion far =
-      far_motion_.find(input.flow, to_full(shape_.horizon), 0.08F * static_cast<float>(picture_.height_px));
+  const FarMotion far = far_motion_.find(input.flow, picture_.full_px(shape_.horizon),
+                                         0.08F * static_cast<float>(picture_.height_px));
   const auto shrink = static_cast<float>(picture_.shrink);
   const float swing = (1.0F - part_in(input.dt_s, kSwingMemory_s)) * (swing_ + far.dy_px / shrink);
   shape_.horizon += swing - std::exchange(swing_, swing);
@@ -349,7 +263,7 @@ void ColorRoad::correct(std::span<const FoundRoad> found) {
 void ColorRoad::adapt_shape(std::span<const FoundRoad> found, float gain) {
   float n = 0.0F, y = 0.0F, w = 0.0F, yy = 0.0F, yw = 0.0F;
   for (std::size_t k = 0; k < static_cast<std::size_t>(visible_rows_); ++k) {
-    if (!whole(found[k]) || found[k].fit < kFits) continue;
+    if (!whole(found[k]) || found[k].fit < kRoadFits) continue;
     const float half = found[k].half_width_px, row = rows_[k].row;
     n += 1.0F, y += row, w += half, yy += row * row, yw += row * half;
   }
@@ -372,12 +286,13 @@ bool ColorRoad::whole(const FoundRoad& road) const {
 void ColorRoad::tell(RoadEstimate& estimate) const {
   estimate.status = following_ ? RoadStatus::following : RoadStatus::no_road;
   estimate.confidence = static_cast<double>(confidence_);
-  estimate.horizon_row_px = static_cast<double>(to_full(shape_.horizon));
+  estimate.horizon_row_px = static_cast<double>(picture_.full_px(shape_.horizon));
   estimate.count = following_ ? visible_rows_ : 0;
   for (std::size_t k = 0; k < static_cast<std::size_t>(estimate.count); ++k) {
     const int row = static_cast<int>(k);
     const float half = half_width(shape_, k) * filter_.width_ratio(row), middle = filter_.middle_px(row);
-    estimate.row[k] = {to_full(rows_[k].row), to_full(middle - half), to_full(middle + half)};
+    estimate.row[k] = {picture_.full_px(rows_[k].row), picture_.full_px(middle - half),
+                       picture_.full_px(middle + half)};
   }
 }
 

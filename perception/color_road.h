@@ -9,9 +9,8 @@
 
 #include <vector>
 
-#include "perception/definition_trace.h"
 #include "perception/far_motion.h"
-#include "perception/road_colors.h"
+#include "perception/road_color_learner.h"
 #include "perception/road_estimate.h"
 #include "perception/road_input.h"
 #include "perception/road_line_filter.h"
@@ -39,17 +38,8 @@ class ColorRoad {
     float horizon = 0.0F;
     float slope = 1.0F;
   };
-  struct Row {
-    float row = 0.0F;
-    int top = 0;
-    int bottom = 0;
-  };
 
   void learn(const RoadInput& input, const ColorView& picture);
-  void learn_definition(const RoadInput& input, const ColorView& picture);
-  void learn_beside(const ColorView& picture);
-  void learn_above(const ColorView& picture);
-  void learn_beside_anything(const ColorView& picture);
   void lay_rows(const Shape& shape);
   void fill_profile(const ColorView& picture);
   void follow(const RoadInput& input, const ColorView& picture);
@@ -63,21 +53,19 @@ class ColorRoad {
   float judge(std::span<const FoundRoad> found);
   void tell(RoadEstimate& estimate) const;
   float half_width(const Shape& shape, std::size_t row) const;
-  float to_full(float stored) const;
 
   RoadParams params_;
   RoadPicture picture_;
   int stored_width_;
   int stored_height_;
-  DefinitionTrace definition_;
   FarMotionFinder far_motion_;
-  RoadColors colors_;
+  RoadColorLearner learner_;
   RoadProfile profile_;
   RoadSearch search_;
   RoadLineFilter filter_;
   Shape shape_;
   float swing_ = 0.0F;  ///< of the horizon, beside where it lies for long
-  std::vector<Row> rows_;
+  std::vector<SearchRow> rows_;
   std::vector<ExpectedRoad> expected_;
   std::vector<FoundRoad> found_;
   bool following_ = false;

@@ -25,6 +25,12 @@ struct RoadPicture {
   int height_px = 0;
   int shrink = 1;
   double horizon_row_px = 0.0;
+
+  /// Row or column of the full picture that one of a stored picture shows the middle of.
+  float full_px(float stored_px) const {
+    const auto factor = static_cast<float>(shrink);
+    return stored_px * factor + 0.5F * (factor - 1.0F);
+  }
 };
 
 }  // namespace hindsight

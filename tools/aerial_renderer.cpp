@@ -8,6 +8,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "sim_replay/world/random.h"
+#include "tools/aerial_sprites.h"
 
 namespace hindsight::tools {
 namespace {
@@ -18,142 +19,14 @@ constexpr double kSensorNoise = 2.0;  ///< [grey levels]
 constexpr double kSeen = 0.34;
 constexpr int kFewestPx = 12;
 
-/// Noise of several scales about a colour.
-cv::Mat mottled(cv::Size size, const cv::Scalar& bgr, double contrast, int finest_px, int coarsest_px,
-                cv::RNG& random) {
-  cv::Mat picture(size, CV_32FC3, bgr);
-  for (int cell = finest_px; cell <= coarsest_px; cell *= 2) {
-    cv::Mat coarse(size.height / cell + 2, size.width / cell + 2, CV_32FC1), octave;
-    random.fill(coarse, cv::RNG::NORMAL, 0.0, contrast);
-    cv::resize(coarse, octave, size, 0.0, 0.0, cv::INTER_CUBIC);
-    cv::cvtColor(octave, octave, cv::COLOR_GRAY2BGR);
-    picture += octave;
-  }
-  picture.convertTo(picture, CV_8UC3);
-  return picture;
-}
-
-cv::Mat opaque(const cv::Mat& bgr) {
-  cv::Mat bgra;
-  cv::cvtColor(bgr, bgra, cv::COLOR_BGR2BGRA);
-  return bgra;
-}
-
-/// Cut to an ellipse with a ragged edge.
-cv::Mat round_cut(const cv::Mat& bgr, cv::RNG& random) {
-  cv::Mat alpha(bgr.size(), CV_8UC1, cv::Scalar(0));
-  std::vector<cv::Point> outline;
-  for (int i = 0; i < 24; ++i) {
-    const double a = i * CV_PI / 12.0, r = random.uniform(0.38, 0.5);
-    outline.emplace_back(cvRound(bgr.cols * (0.5 + r * std::cos(a))),
-                         cvRound(bgr.rows * (0.5 + r * std::sin(a))));
-  }
-  cv::fillPoly(alpha, std::vector{outline}, cv::Scalar(255));
-  std::vector<cv::Mat> planes;
-  cv::split(bgr, planes);
-  planes.push_back(alpha);
-  cv::Mat bgra;
-  cv::merge(planes, bgra);
-  return bgra;
-}
-
-cv::Scalar some_color(cv::RNG& random) {
-  static const std::array<cv::Scalar, 7> kColors{
-      cv::Scalar{40, 40, 180}, {190, 190, 190}, {40, 40, 40}, {170, 90, 30},
-      {235, 235, 235},         {60, 120, 60},   {90, 90, 100}};
-  return kColors[static_cast<std::size_t>(random.uniform(0, static_cast<int>(kColors.size())))];
-}
-
-/// Windscreen, rear window, lights: what a car looks like from above, nose to the right.
-cv::Mat car_from_above(cv::RNG& random) {
-  const cv::Scalar paint = some_color(random);
-  cv::Mat car = mottled({90, 36}, paint, 3.0, 2, 8, random);
-  cv::rectangle(car, {55, 4, 13, 28}, {50, 45, 40}, cv::FILLED);
-  cv::rectangle(car, {14, 5, 9, 26}, {55, 50, 45}, cv::FILLED);
-  cv::rectangle(car, {24, 5, 30, 26}, paint * 0.9, 1);
-  cv::rectangle(car, {85, 3, 5, 7}, {240, 250, 250}, cv::FILLED);
-  cv::rectangle(car, {85, 26, 5, 7}, {240, 250, 250}, cv::FILLED);
-  cv::rectangle(car, {0, 3, 3, 6}, {40, 40, 220}, cv::FILLED);
-  cv::rectangle(car, {0, 27, 3, 6}, {40, 40, 220}, cv::FILLED);
-  cv::GaussianBlur(car, car, {3, 3}, 0.7);
-  return opaque(car);
-}
-
-/// Shoulders and head, walking to the right; for a cyclist, between two wheels.
-cv::Mat person_from_above(const cv::Scalar& shirt, int stride, bool cycle) {
-  cv::Mat p(cycle ? cv::Size(96, 32) : cv::Size(40, 32), CV_8UC4, cv::Scalar(0, 0, 0, 0));
-  const auto solid = [](cv::Scalar c) {
-    c[3] = 255.0;
-    return c;
-  };
-  const cv::Point middle(p.cols / 2, p.rows / 2);
-  if (cycle) cv::line(p, {4, middle.y}, {p.cols - 5, middle.y}, solid({30, 30, 30}), 5);
-  if (cycle) cv::line(p, {p.cols - 22, 6}, {p.cols - 22, p.rows - 7}, solid({60, 60, 60}), 4);
-  cv::ellipse(p, middle, {11, 15}, 0, 0, 360, solid(shirt), cv::FILLED);
-  cv::circle(p, middle + cv::Point(stride, -12), 4, solid({70, 95, 140}), cv::FILLED);
-  cv::circle(p, middle + cv::Point(-stride, 12), 4, solid({70, 95, 140}), cv::FILLED);
-  cv::circle(p, middle + cv::Point(2, 0), 7, solid({20, 28, 45}), cv::FILLED);
-  return p;
-}
-
 cv::Vec3d lifted(cv::Point2d p, double z) { return {p.x, p.y, z}; }
-
-cv::Point2d turned(cv::Point2d p, double angle) {
-  const double c = std::cos(angle), s = std::sin(angle);
-  return {c * p.x - s * p.y, s * p.x + c * p.y};
-}
 
 cv::Point2d pixel(const cv::Matx34d& P, const cv::Vec3d& p) {
   const cv::Vec3d x = P * cv::Vec4d(p[0], p[1], p[2], 1.0);
   return {x[0] / x[2], x[1] / x[2]};
 }
 
-cv::Matx33d rotation(double about_x, double about_y, double about_z) {
-  const double cx = std::cos(about_x), sx = std::sin(about_x), cy = std::cos(about_y), sy = std::sin(about_y),
-               cz = std::cos(about_z), sz = std::sin(about_z);
-  return cv::Matx33d(1, 0, 0, 0, cx, -sx, 0, sx, cx) * cv::Matx33d(cy, 0, sy, 0, 1, 0, -sy, 0, cy) *
-         cv::Matx33d(cz, -sz, 0, sz, cz, 0, 0, 0, 1);
-}
-
 }  // namespace
-
-AerialCamera::AerialCamera(std::uint64_t seed, cv::Point2d over_m, double height_m, double yaw_rad,
-                           double tilt_rad)
-    : over_m_(over_m), height_m_(height_m), yaw_rad_(yaw_rad), tilt_rad_(tilt_rad) {
-  Random random(seed, 3);
-  for (const double amplitude : {1.2, 1.2, 0.6, 0.012, 0.012, 0.02}) {
-    sways_.push_back({amplitude, random.uniform(0.03, 0.08), random.uniform(0.0, 2.0 * CV_PI)});
-    sways_.push_back({0.2 * amplitude, random.uniform(0.2, 0.6), random.uniform(0.0, 2.0 * CV_PI)});
-  }
-}
-
-double AerialCamera::Sway::at(double t_s) const {
-  return amplitude * std::sin(2.0 * CV_PI * hz * t_s + phase_rad);
-}
-
-double AerialCamera::sum(std::size_t axis, double t_s) const {
-  return sways_[2 * axis].at(t_s) + sways_[2 * axis + 1].at(t_s);
-}
-
-cv::Vec3d AerialCamera::place_m(double t_s) const {
-  const cv::Point2d back = turned({0.0, -height_m_ * std::tan(tilt_rad_)}, yaw_rad_);
-  return {over_m_.x + back.x + sum(0, t_s), over_m_.y + back.y + sum(1, t_s), height_m_ + sum(2, t_s)};
-}
-
-cv::Matx34d AerialCamera::projection(double t_s) const {
-  // Looking straight down with the picture's top to the north: x right = east, y down = south, z = down.
-  const cv::Matx33d down(1, 0, 0, 0, -1, 0, 0, 0, -1);
-  const cv::Matx33d R = rotation(tilt_rad_ + sum(3, t_s), sum(4, t_s), 0.0) * down *
-                        rotation(0.0, 0.0, -(yaw_rad_ + sum(5, t_s)));
-  const cv::Vec3d t = -(R * place_m(t_s));
-  const cv::Matx33d K(kFocal_px, 0, 0.5 * kWidth_px, 0, kFocal_px, 0.5 * kHeight_px, 0, 0, 1);
-  return K * cv::Matx34d(R(0, 0), R(0, 1), R(0, 2), t[0], R(1, 0), R(1, 1), R(1, 2), t[1], R(2, 0), R(2, 1),
-                         R(2, 2), t[2]);
-}
-
-cv::Matx33d ground_homography(const cv::Matx34d& P) {
-  return {P(0, 0), P(0, 1), P(0, 3), P(1, 0), P(1, 1), P(1, 3), P(2, 0), P(2, 1), P(2, 3)};
-}
 
 AerialRenderer::AerialRenderer(const AerialWorld& world) {
   make_sprites(world.seed);
@@ -322,7 +195,7 @@ AerialFrame AerialRenderer::render(const AerialCamera& camera, const AerialTraff
   AerialFrame frame;
   cv::warpPerspective(ground_, frame.bgr, ground_homography(P) * world_of_texel, size, cv::INTER_LINEAR,
                       cv::BORDER_REFLECT);
-  std::vector<Quad> quads = statics_, shadows = static_shadows_;
+  std::vector<Quad> quads = statics_, shadows;
   const std::vector<MoverState> movers = traffic.at(t_s);
   for (const MoverState& mover : movers) add_mover(quads, shadows, mover, t_s);
   for (const Quad& shadow : shadows) paint(shadow, P, frame.bgr, nullptr);

@@ -8,38 +8,11 @@
 #include <opencv2/core.hpp>
 #include <vector>
 
+#include "tools/aerial_camera.h"
 #include "tools/aerial_world.h"
 #include "tools/eval_tracks_truth.h"
 
 namespace hindsight::tools {
-
-/// A platform that tries to hover: it drifts and sways as sums of slow waves of random phase. 640 x 480
-/// pixels.
-class AerialCamera {
- public:
-  static constexpr int kWidth_px = 640, kHeight_px = 480;
-  static constexpr double kFocal_px = 640.0;
-
-  /// Above `over_m`, turned by `yaw_rad`, looking down but for `tilt_rad`.
-  AerialCamera(std::uint64_t seed, cv::Point2d over_m, double height_m, double yaw_rad, double tilt_rad);
-
-  /// 3 x 4: homogeneous points of the world to pixels.
-  cv::Matx34d projection(double t_s) const;
-  cv::Vec3d place_m(double t_s) const;
-
- private:
-  struct Sway {
-    double amplitude = 0.0, hz = 0.0, phase_rad = 0.0;
-    double at(double t_s) const;
-  };
-  double sum(std::size_t axis, double t_s) const;
-  cv::Point2d over_m_;
-  double height_m_, yaw_rad_, tilt_rad_;
-  std::vector<Sway> sways_;  ///< two of each: x, y, z, roll, pitch, yaw
-};
-
-/// World points of the plane z = 0 to pixels.
-cv::Matx33d ground_homography(const cv::Matx34d& projection);
 
 /// A picture and what moves in it. An object counts where it is seen: a third of it or more not hidden, and
 /// its middle in the picture.
@@ -74,7 +47,7 @@ class AerialRenderer {
                  double t_s) const;
   void paint(const Quad& quad, const cv::Matx34d& projection, cv::Mat& picture, cv::Mat* ids) const;
 
-  std::vector<Quad> statics_, static_shadows_;
+  std::vector<Quad> statics_;
   cv::Mat ground_, shadow_, wall_;
   std::vector<cv::Mat> roofs_, crowns_, cars_, car_sides_, people_, cycles_;
   cv::Mat noise_;
