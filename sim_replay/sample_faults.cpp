@@ -100,6 +100,8 @@ void SampleFaults::inject(TickInput& input) {
     if (fault.source == Source::gpio) inject_gpio(fault, input);
     if (fault.source == Source::gps) inject_gps(fault, input);
   }
+  report_chip(input);
+  set_lines_right(input);
 }
 
 bool SampleFaults::lasts(const FaultSpec& fault, Time now) const {
@@ -119,6 +121,7 @@ void SampleFaults::remember(const TickInput& input) {
     for (const CanFrame& frame : input.can) last_can_[frame.id] = frame;
   }
   if (!input.fixes.empty() && !stuck(Source::gps)) last_fix_ = input.fixes.back();
+  for (const LineEdge& edge : input.edges) levels_[static_cast<std::size_t>(edge.line)] = edge.active;
 }
 
 /// off, slow, delayed, intermittent: the same for samples of every kind.
@@ -185,18 +188,36 @@ void SampleFaults::inject_can(const FaultSpec& fault, TickInput& input) {
 
 void SampleFaults::inject_gpio(const FaultSpec& fault, TickInput& input) {
   thin(fault, input.now, gpio_, input.edges);
-  const bool on = lasts(fault, input.now);
-  if (fault.kind == FaultKind::off && on != gpio_failed_) {
-    gpio_failed_ = on;
-    input.reports.push_back(
-        {input.now, Source::gpio, on ? SourceState::failed : SourceState::fresh, 0, on ? ENODEV : 0});
-  }
-  if (!on) return;
+  if (!lasts(fault, input.now)) return;
   if (fault.kind == FaultKind::stuck) input.edges.clear();
   if (fault.kind == FaultKind::garbage)
     input.edges.push_back({input.now, static_cast<Line>(random() % kLineCount), random() % 2 == 0});
   if (fault.kind == FaultKind::wrong) {
     for (LineEdge& edge : input.edges) edge.active = !edge.active;
+  }
+}
+
+bool SampleFaults::any_lasts_of_lines(Time now, std::optional<FaultKind> kind) const {
+  return std::ranges::any_of(faults_, [&](const FaultSpec& fault) {
+    return fault.source == Source::gpio && (!kind || fault.kind == *kind) && lasts(fault, now);
+  });
+}
+
+void SampleFaults::report_chip(TickInput& input) {
+  const bool failed = any_lasts_of_lines(input.now, FaultKind::off);
+  if (failed == chip_failed_) return;
+  chip_failed_ = failed;
+  input.reports.push_back(
+      {input.now, Source::gpio, failed ? SourceState::failed : SourceState::fresh, 0, failed ? ENODEV : 0});
+}
+
+void SampleFaults::set_lines_right(TickInput& input) {
+  for (const LineEdge& edge : input.edges) told_levels_[static_cast<std::size_t>(edge.line)] = edge.active;
+  if (any_lasts_of_lines(input.now, std::nullopt) || !gpio_.late.empty()) return;
+  for (std::size_t line = 0; line < kLineCount; ++line) {
+    if (told_levels_[line] == levels_[line]) continue;
+    told_levels_[line] = levels_[line];
+    input.edges.push_back({input.now, static_cast<Line>(line), levels_[line]});
   }
 }
 

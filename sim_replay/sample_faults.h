@@ -3,17 +3,20 @@
 //
 // Faults put into a stream of samples, so that an operator can rehearse them on a recorded run.
 //
+// clang-format off
 //   word          camera                        can                     gpio                  gps
-//   ------------  ----------------------------  ----------------------  --------------------
-//   ------------------- off           no pictures                   no frames               the chip has
-//   failed   no fixes stuck         the last picture, for ever    each message's last     no edges the last
-//   place garbage       damaged: dropped and counted  data at random          edges at random       places at
-//   random wrong         upside down                   one message's data in   levels inverted       100 m to
-//   the north
-//                                               another's frame
+//   ------------  ----------------------------  ----------------------  --------------------  -------------------
+//   off           no pictures                   no frames               the chip has failed   no fixes
+//   stuck         the last picture, for ever    each message's last     no edges              the last place
+//   garbage       damaged: dropped and counted  data at random          edges at random       places at random
+//   wrong         upside down                   a neighbour's data      levels inverted       100 m to the north
 //   slow          of all samples, every fifth
 //   delayed       all samples half a second late, stamps and all as if they had come then
 //   intermittent  off and on for half a second each
+// clang-format on
+//
+// When a fault of the lines ends, the edges that it hid or made up are set right, as the driver does that reads
+// the lines again.
 #pragma once
 
 #include <array>
@@ -44,8 +47,8 @@ struct FaultSpec {
 /// wrong with it and what is known.
 FaultSpec parse_fault(const std::string& text);
 
-/// Changes ticks before the robot sees them; must outlive them, since pictures that it made are its own. The same faults and ticks give the same changes. Allocates. One
-/// thread.
+/// Changes ticks before the robot sees them; must outlive them, since pictures that it made are its own. The
+/// same faults and ticks give the same changes. Allocates. One thread.
 class SampleFaults {
  public:
   explicit SampleFaults(std::vector<FaultSpec> faults);
@@ -66,6 +69,10 @@ class SampleFaults {
   void inject_can(const FaultSpec& fault, TickInput& input);
   void inject_gpio(const FaultSpec& fault, TickInput& input);
   void inject_gps(const FaultSpec& fault, TickInput& input);
+  /// Says that the GPIO chip has failed or is back, once each.
+  void report_chip(TickInput& input);
+  void set_lines_right(TickInput& input);
+  bool any_lasts_of_lines(Time now, std::optional<FaultKind> kind) const;
   FrameRef copy_of(const Frame& frame);
   void remember(const TickInput& input);
   std::uint64_t random();
@@ -83,7 +90,8 @@ class SampleFaults {
   FrameRef last_frame_;
   std::map<std::uint32_t, CanFrame> last_can_;  ///< by identifier
   std::optional<GpsFix> last_fix_;
-  bool gpio_failed_ = false;
+  std::array<bool, kLineCount> levels_{}, told_levels_{};  ///< the lines' own, and as passed on
+  bool chip_failed_ = false;
   std::uint32_t dropped_ = 0;  ///< damaged pictures
 };
 

@@ -102,6 +102,31 @@ TEST_F(SampleFaultsTest, AChipThatIsOffReportsThatAndItsReturn) {
   EXPECT_TRUE(tick(kBegins).edges.empty());
 }
 
+TEST_F(SampleFaultsTest, AChipThatIsOffTwiceAtOnceFailsOnce) {
+  after = before;
+  faults.emplace(std::vector{parse_fault("gpio:off:2s:2s"), parse_fault("gpio:off:3s:2s")});
+  std::vector<int> told;
+  for (TickInput& tick : after) {
+    faults->inject(tick);
+    for (std::size_t i = 0; i < tick.reports.size(); ++i) told.push_back(static_cast<int>(tick.index));
+  }
+  EXPECT_EQ(told, (std::vector{20, 50}));
+}
+
+TEST_F(SampleFaultsTest, LinesAreSetRightWhenAFaultOfTheirsEnds) {
+  for (std::size_t i = 0; i < before.size(); ++i) before[i].edges.clear();
+  before[10].edges.push_back({before[10].now, Line::estop, true});
+  before[30].edges.push_back({before[30].now, Line::bumper_left, true});
+  for (const char* word : {"off", "stuck", "garbage", "wrong", "slow", "delayed", "intermittent"}) {
+    run(std::string("gpio:") + word + ":2s:2s");
+    std::array<bool, kLineCount> levels{};
+    for (int i = 0; i < kEnds + 6; ++i) {
+      for (const LineEdge& edge : tick(i).edges) levels[static_cast<std::size_t>(edge.line)] = edge.active;
+    }
+    EXPECT_EQ(levels, (std::array{true, false, true})) << word;
+  }
+}
+
 TEST_F(SampleFaultsTest, StuckRepeatsWhatWasLastSaid) {
   run("camera:stuck:2s:2s");
   for (int i = 0; i < kTicks; ++i) {
