@@ -10,30 +10,37 @@
 
 #include "config/exit_code.h"
 #include "perception/multiversion.h"
-#include "perception/pair_correlation.h"
+#include "perception/quad_correlation.h"
 
 namespace hindsight {
 namespace {
 
 constexpr int kChannels = 3;
+/// Taken from the strip's values, so that they fit into a byte with a sign, and given back to the sums.
+constexpr int kMiddleValue = 128;
 
 std::size_t rounded_up(int value, std::size_t multiple) {
   return (static_cast<std::size_t>(value) + multiple - 1) / multiple * multiple;
 }
 
-/// The three channels of a row of `count` pixels as pairs from each pixel on, each channel to its own plane.
-HINDSIGHT_MULTIVERSION void spread(const std::uint8_t* bgr, int count, std::int32_t* blue,
-                                   std::int32_t* green, std::int32_t* red) {
-  for (int x = 0; x + 1 < count; ++x) {
+/// The three channels of a row of `count` pixels as quads from each pixel on, each channel to its own plane;
+/// zeros beyond the row.
+HINDSIGHT_MULTIVERSION void spread(const std::uint8_t* bgr, int count, std::uint32_t* blue,
+                                   std::uint32_t* green, std::uint32_t* red) {
+  const int whole = std::max(0, count - 3);
+  for (int x = 0; x < whole; ++x) {
     const std::uint8_t* p = bgr + kChannels * x;
-    blue[x] = pair_of(p[0], p[3]);
-    green[x] = pair_of(p[1], p[4]);
-    red[x] = pair_of(p[2], p[5]);
+    blue[x] = quad_of(p, kChannels);
+    green[x] = quad_of(p + 1, kChannels);
+    red[x] = quad_of(p + 2, kChannels);
   }
-  const std::uint8_t* last = bgr + kChannels * (count - 1);
-  blue[count - 1] = last[0];
-  green[count - 1] = last[1];
-  red[count - 1] = last[2];
+  for (int x = whole; x < count; ++x) {
+    std::uint8_t rest[4 * kChannels] = {};
+    std::copy(bgr + kChannels * x, bgr + kChannels * count, rest);
+    blue[x] = quad_of(rest, kChannels);
+    green[x] = quad_of(rest + 1, kChannels);
+    red[x] = quad_of(rest + 2, kChannels);
+  }
 }
 
 /// Adds the row's values, or their squares, to one sum for each pixel.
@@ -51,7 +58,7 @@ HINDSIGHT_MULTIVERSION void add_squares(const std::uint8_t* bgr, int count, std:
 TemplateRow::TemplateRow(int picture_width_px, int max_width_px, int max_height_px)
     : picture_width_px_(picture_width_px),
       max_height_px_(max_height_px),
-      plane_stride_(rounded_up(picture_width_px, kPlacesAtOnce) + rounded_up(max_width_px, 2) +
+      plane_stride_(rounded_up(picture_width_px, kPlacesAtOnce) + rounded_up(max_width_px, 4) +
                     kPlacesAtOnce) {
   const std::int64_t largest = 255LL * 255 * kChannels * max_width_px * max_height_px;
   if (largest > std::numeric_limits<std::uint32_t>::max()) {
@@ -63,8 +70,8 @@ TemplateRow::TemplateRow(int picture_width_px, int max_width_px, int max_height_
   }
   const auto planes = static_cast<std::size_t>(kChannels * max_height_px);
   const auto width = static_cast<std::size_t>(picture_width_px);
-  template_pairs_.resize(planes * (rounded_up(max_width_px, 2) / 2));
-  picture_pairs_.resize(planes * plane_stride_);
+  template_quads_.resize(planes * (rounded_up(max_width_px, 4) / 4));
+  picture_quads_.resize(planes * plane_stride_);
   products_.resize(rounded_up(picture_width_px, kPlacesAtOnce));
   column_sums_.resize(width + 1);
   column_energies_.resize(width + 1);
@@ -77,7 +84,7 @@ void TemplateRow::take(const ColorView& picture, int left_px, int top_px, int wi
   width_px_ = width_px;
   height_px_ = height_px;
   template_sum_ = template_energy_ = 0;
-  auto pair = template_pairs_.begin();
+  auto quad = template_quads_.begin();
   for (int row = 0; row < height_px; ++row) {
     const std::uint8_t* from = picture.pixel(left_px, top_px + row);
     for (int k = 0; k < kChannels * width_px; ++k) {
@@ -85,9 +92,11 @@ void TemplateRow::take(const ColorView& picture, int left_px, int top_px, int wi
       template_energy_ += from[k] * from[k];
     }
     for (int channel = 0; channel < kChannels; ++channel) {
-      for (int x = 0; x < width_px; x += 2) {
-        const std::int32_t right = x + 1 < width_px ? from[kChannels * (x + 1) + channel] : 0;
-        *pair++ = pair_of(from[kChannels * x + channel], right);
+      for (int x = 0; x < width_px; x += 4) {
+        std::uint32_t word = 0;
+        for (int k = std::min(4, width_px - x); k-- > 0;)
+          word = word << 8 | static_cast<std::uint8_t>(from[kChannels * (x + k) + channel] - kMiddleValue);
+        *quad++ = word;
       }
     }
   }
@@ -97,12 +106,15 @@ std::span<const float> TemplateRow::search(const ColorView& picture, int top_px,
   const int places = picture.width_px - width_px_ + 1;
   spread_rows(picture, top_px);
   sum_energy(picture, top_px);
-  std::fill(products_.begin(), products_.end(), 0U);
-  const std::size_t pairs = rounded_up(width_px_, 2) / 2;
+  const auto middle = static_cast<std::uint32_t>(kMiddleValue);
+  std::transform(sums_.begin(), sums_.end(), products_.begin(),
+                 [middle](std::int64_t sum) { return middle * static_cast<std::uint32_t>(sum); });
+  const std::size_t quads = rounded_up(width_px_, 4) / 4;
   const auto planes = static_cast<std::size_t>(kChannels * height_px_);
+  AddQuadProducts* const kernel = quad_product_kernels().front();
   for (std::size_t plane = 0; plane < planes; ++plane) {
-    add_pair_products(&picture_pairs_[plane * plane_stride_], &template_pairs_[plane * pairs], pairs,
-                      rounded_up(places, kPlacesAtOnce), products_.data());
+    kernel(&picture_quads_[plane * plane_stride_], &template_quads_[plane * quads], quads,
+           rounded_up(places, kPlacesAtOnce), products_.data());
   }
   score(match, places);
   return std::span<const float>(response_).first(static_cast<std::size_t>(places));
@@ -110,7 +122,7 @@ std::span<const float> TemplateRow::search(const ColorView& picture, int top_px,
 
 void TemplateRow::spread_rows(const ColorView& picture, int top_px) {
   for (int row = 0; row < height_px_; ++row) {
-    std::int32_t* planes = &picture_pairs_[static_cast<std::size_t>(kChannels * row) * plane_stride_];
+    std::uint32_t* planes = &picture_quads_[static_cast<std::size_t>(kChannels * row) * plane_stride_];
     spread(picture.pixel(0, top_px + row), picture.width_px, planes, planes + plane_stride_,
            planes + 2 * plane_stride_);
   }

@@ -49,9 +49,9 @@ class TemplateRow {
   int height_px_ = 0;
   std::int64_t template_sum_ = 0;
   std::int64_t template_energy_ = 0;
-  std::vector<std::int32_t> template_pairs_;  ///< neighbours in x, one plane a channel and row
-  std::vector<std::int32_t> picture_pairs_;   ///< the same of the searched rows, one pair from each pixel on
-  std::vector<std::uint32_t> products_;       ///< sum of T I
+  std::vector<std::uint32_t> template_quads_;  ///< four neighbours in x, one plane a channel and row
+  std::vector<std::uint32_t> picture_quads_;   ///< the same of the searched rows, one from each pixel on
+  std::vector<std::uint32_t> products_;        ///< sum of T I
   std::vector<std::int64_t> column_sums_, column_energies_;
   std::vector<std::int64_t> sums_, energies_;  ///< of I under the strip
   std::vector<float> response_;

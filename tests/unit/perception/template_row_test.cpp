@@ -8,7 +8,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "config/exit_code.h"
-#include "perception/pair_correlation.h"
+#include "perception/quad_correlation.h"
 
 namespace hindsight {
 namespace {
@@ -78,22 +78,28 @@ TEST(TemplateRow, RefusesStripsWhoseSumsOverflow) {
   EXPECT_NO_THROW(TemplateRow(720, 720, 20));
 }
 
-TEST(PairCorrelation, EqualsTheSumsAsTheyAreWritten) {
+TEST(QuadCorrelation, EachKernelEqualsTheSumsAsTheyAreWritten) {
   cv::RNG random(11);
-  const std::size_t pairs = 37, places = 2 * kPlacesAtOnce;
-  std::vector<int> pixels(places + 2 * pairs + 1), strip(2 * pairs);
-  for (int& p : pixels) p = random.uniform(0, 256);
-  for (int& t : strip) t = random.uniform(0, 256);
-  std::vector<std::int32_t> row, weights;
-  std::vector<std::uint32_t> sums(places, 5);
-  for (std::size_t x = 0; x + 1 < pixels.size(); ++x) row.push_back(pair_of(pixels[x], pixels[x + 1]));
-  for (std::size_t j = 0; j < pairs; ++j) weights.push_back(pair_of(strip[2 * j], strip[2 * j + 1]));
-  add_pair_products(row.data(), weights.data(), pairs, places, sums.data());
-  for (std::size_t x = 0; x < places; ++x) {
-    unsigned expected = 5;
-    for (std::size_t j = 0; j < strip.size(); ++j)
-      expected += static_cast<unsigned>(pixels[x + j] * strip[j]);
-    ASSERT_EQ(sums[x], expected) << x;
+  const std::size_t places = 2 * kPlacesAtOnce;
+  for (const std::size_t quads : {1U, 2U, 19U}) {
+    std::vector<std::uint8_t> pixels(places + 4 * quads + 3), strip(4 * quads);
+    for (std::uint8_t& p : pixels) p = static_cast<std::uint8_t>(random.uniform(0, 256));
+    for (std::uint8_t& t : strip) t = static_cast<std::uint8_t>(random.uniform(0, 256));
+    for (const std::size_t k : {7U, 8U}) pixels.at(k) = 255;
+    strip.at(0) = strip.at(1) = 127, strip.at(2) = strip.at(3) = 128;
+    std::vector<std::uint32_t> row, weights;
+    for (std::size_t x = 0; x + 3 < pixels.size(); ++x) row.push_back(quad_of(&pixels[x], 1));
+    for (std::size_t j = 0; j < quads; ++j) weights.push_back(quad_of(&strip[4 * j], 1));
+    for (AddQuadProducts* const kernel : quad_product_kernels()) {
+      std::vector<std::uint32_t> sums(places, 5);
+      kernel(row.data(), weights.data(), quads, places, sums.data());
+      for (std::size_t x = 0; x < places; ++x) {
+        int expected = 5;
+        for (std::size_t j = 0; j < strip.size(); ++j)
+          expected += pixels[x + j] * static_cast<std::int8_t>(strip[j]);
+        ASSERT_EQ(static_cast<std::int32_t>(sums[x]), expected) << quads << " quads, x " << x;
+      }
+    }
   }
 }
 
