@@ -3,9 +3,15 @@
 #include "perception/road_line_filter.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace hindsight {
+namespace {
+
+/// An edge is moved as if it had been seen at most so far from where it was, in half widths: the mouth of a
+/// side road passes before its edge has been followed into it.
+constexpr float kMostInnovation = 0.3F;
+
+}  // namespace
 
 RoadLineFilter::RoadLineFilter(int rows) : states_(static_cast<std::size_t>(rows)) {}
 
@@ -21,19 +27,19 @@ void RoadLineFilter::predict(float dx_px, float sigma) {
 void RoadLineFilter::correct(int row, float middle_px, float half_width_px, float expected_half_width_px,
                              float sigma) {
   State& state = states_[static_cast<std::size_t>(row)];
-  const float log_width = std::log(half_width_px / expected_half_width_px);
   if (!state.known) {
-    state = {true, middle_px, log_width, sigma * sigma};
+    state = {true, middle_px, half_width_px / expected_half_width_px, sigma * sigma};
     return;
   }
   const float gain = state.variance / (state.variance + sigma * sigma);
-  state.middle_px += gain * (middle_px - state.middle_px);
-  state.log_width += gain * (log_width - state.log_width);
+  const float half_px = state.width_ratio * expected_half_width_px;
+  const float most_px = kMostInnovation * expected_half_width_px;
+  const auto limited = [&](float innovation_px) { return std::clamp(innovation_px, -most_px, most_px); };
+  const float left_px = limited(middle_px - half_width_px - (state.middle_px - half_px));
+  const float right_px = limited(middle_px + half_width_px - (state.middle_px + half_px));
+  state.middle_px += gain * 0.5F * (left_px + right_px);
+  state.width_ratio += gain * 0.5F * (right_px - left_px) / expected_half_width_px;
   state.variance *= 1.0F - gain;
-}
-
-float RoadLineFilter::width_ratio(int row) const {
-  return std::exp(states_[static_cast<std::size_t>(row)].log_width);
 }
 
 }  // namespace hindsight

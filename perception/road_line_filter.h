@@ -8,8 +8,8 @@
 namespace hindsight {
 
 /// The road's middle line and width over time: in each of some rows a Kalman filter of the middle and of the
-/// logarithm of the width's ratio to what is expected there. Rows are tied together by what is measured (the
-/// path is smooth), not by the filter. No allocation after construction.
+/// width's ratio to what is expected there, in which no edge moves far at once. Rows are tied together by what
+/// is measured (the path is smooth), not by the filter. No allocation after construction.
 class RoadLineFilter {
  public:
   explicit RoadLineFilter(int rows);
@@ -27,13 +27,13 @@ class RoadLineFilter {
   bool known(int row) const { return states_[static_cast<std::size_t>(row)].known; }
   float middle_px(int row) const { return states_[static_cast<std::size_t>(row)].middle_px; }
   /// Of the expected half width.
-  float width_ratio(int row) const;
+  float width_ratio(int row) const { return states_[static_cast<std::size_t>(row)].width_ratio; }
 
  private:
   struct State {
     bool known = false;
     float middle_px = 0.0F;
-    float log_width = 0.0F;
+    float width_ratio = 1.0F;
     float variance = 0.0F;  ///< in half widths squared, of both
   };
   std::vector<State> states_;
