@@ -8,8 +8,8 @@
 namespace hindsight {
 
 /// The road's middle line and width over time: in each of some rows a Kalman filter of the middle and of the
-/// width's ratio to what is expected there, in which no edge moves far at once. Rows are tied together by what
-/// is measured (the path is smooth), not by the filter. No allocation after construction.
+/// width's ratio to what is expected there, in which no edge moves far at once. Rows are tied together by
+/// what is measured (the path is smooth), not by the filter. No allocation after construction.
 class RoadLineFilter {
  public:
   explicit RoadLineFilter(int rows);
