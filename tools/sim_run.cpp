@@ -40,7 +40,8 @@ SimRun::SimRun(const SimSetup& setup)
       feed_(setup_, setup.world, setup.seed, false),
       reflex_(setup.configuration),
       robot_(setup_),
-      injector_(setup_.dbc, setup.configuration.can_roles) {}
+      injector_(setup_.dbc, setup.configuration.can_roles),
+      disturb_(setup.disturb) {}
 
 void SimRun::step(SimFault fault, const Watch& watch) {
   ReflexReport reflex;
@@ -55,10 +56,11 @@ void SimRun::step(SimFault fault, const Watch& watch) {
   input_.reflex = reflex;
   injector_.inject(fault, input_);
   if (input_.index == kOrdersAtTick) give_orders();
+  if (disturb_) disturb_(input_);
   outbox_.clear();
   if (!decides(fault)) return;
-  const Decision decision = robot_.step(input_, outbox_);
-  reflex_.decide(decision);
+  decision_ = robot_.step(input_, outbox_);
+  reflex_.decide(decision_);
   for (const Lesson& lesson : robot_.learner().lessons()) lessons_ += lesson.report.pixels > 0 ? 1 : 0;
 }
 

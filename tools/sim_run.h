@@ -38,6 +38,8 @@ struct SimSetup {
   World world;
   std::uint64_t seed = 1;             ///< of the noise of camera, sensors and ground
   std::vector<std::uint8_t> mixture;  ///< as saved by a run; empty: the first frame makes one
+  /// Changes each tick before the core sees it: faults, an operator's orders.
+  std::function<void(TickInput&)> disturb = {};
 };
 
 /// What a log of a simulated run begins with: DBC and calibration are the built-in ones.
@@ -62,6 +64,7 @@ class SimRun {
   const RunHeader& materials() const { return materials_; }
   const TickInput& input() const { return input_; }
   const Outbox& outbox() const { return outbox_; }
+  const Decision& decision() const { return decision_; }
   const Robot& robot() const { return robot_; }
   const SimFeed& feed() const { return feed_; }
   SimSummary summary() const;
@@ -75,8 +78,10 @@ class SimRun {
   VirtualReflex reflex_;
   Robot robot_;
   FaultInjector injector_;
+  std::function<void(TickInput&)> disturb_;
   TickInput input_;
   Outbox outbox_;
+  Decision decision_;
   int lessons_ = 0;
 };
 
