@@ -19,7 +19,7 @@ CommandGate::CommandGate(const GateParams& params, const VehicleParams& vehicle)
     : params_(params), vehicle_(vehicle) {}
 
 StopReason CommandGate::verdict(const GateInput& input) const {
-  if (input.estop_active) return StopReason::estop;
+  if (input.estop_active || input.decided_at < input.last_estop_edge) return StopReason::estop;
   if (input.loop_reason != StopReason::none) return input.loop_reason;
   if (!input.lines_ok) return StopReason::gpio;
   if (!input.bus_ok) return StopReason::can_bus;

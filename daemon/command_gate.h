@@ -30,6 +30,7 @@ struct GateInput {
   bool estop_active = false;
   bool bumper_active = false;   ///< either bumper is pressed now
   Time last_bumper_edge{};      ///< when one was last pressed; the loop must have decided after it
+  Time last_estop_edge{};       ///< the same of the e-stop: it may be over before the loop has latched it
   bool lines_ok = false;        ///< GPIO lines can be read
   bool bus_ok = false;          ///< the CAN bus takes frames
 };

@@ -21,7 +21,8 @@ StopReason Failsafe::lasting_cause(const FailsafeInput& input) const {
 
 void Failsafe::stop(StopReason reason) {
   armed_ = false;
-  reason_ = reason;
+  arm_pending_ = false;
+  reason_ = estop_latched_ ? StopReason::estop : reason;
 }
 
 void Failsafe::obey(const OperatorCommand& command, StopReason cause, bool estop_active) {
@@ -30,6 +31,7 @@ void Failsafe::obey(const OperatorCommand& command, StopReason cause, bool estop
       stop(StopReason::operator_stop);
       break;
     case CommandKind::disarm:
+      arm_pending_ = false;
       if (armed_) stop(StopReason::not_armed);
       break;
     case CommandKind::release_estop:
@@ -63,7 +65,6 @@ StopReason Failsafe::step(const FailsafeInput& input) {
   }
   for (const OperatorCommand& command : input.commands) {
     obey(command, lasting_cause(input), input.estop_active);
-    arm_pending_ = arm_pending_ && command.kind != CommandKind::stop && command.kind != CommandKind::disarm;
   }
   if (armed_) {
     const StopReason cause = lasting_cause(input);

@@ -4,17 +4,25 @@
 // Whether the vehicle may move, as a pure state machine of the loop. Every stop is latched: the way out is always an
 // operator's "arm", and that is refused while its cause lasts.
 //
-//   state     event                                     next      reason
-//   -------   ---------------------------------------   -------   -----------------------------------------
-//   any       e-stop line active                        stopped   estop (needs release_estop before arm)
-//   any       operator stop                             stopped   operator_stop
-//   armed     operator disarm                           stopped   not_armed
-//   armed     a required source is not fresh            stopped   gpio, can_bus, wheels, camera (in that order)
-//   armed     more than max_overruns late ticks a row   stopped   overruns
-//   stopped   operator arm and no cause lasts           armed     none
-//   stopped   operator arm while a cause lasts          stopped   that cause
+//   state     event                                       next      reason          way out
+//   -------   -----------------------------------------   -------   -------------   ---------------------------------
+//   any       e-stop line active                          stopped   estop           line released, release_estop, arm
+//   any       operator stop                               stopped   operator_stop   arm
+//   armed     operator disarm                             stopped   not_armed       arm
+//   armed     GPIO lines not fresh                        stopped   gpio            fresh again, arm
+//   armed     CAN bus not fresh                           stopped   can_bus         fresh again, arm
+//   armed     encoder samples not fresh                   stopped   wheels          fresh again, arm
+//   armed     camera not fresh                            stopped   camera          fresh again, arm
+//   armed     more than max_overruns late ticks a row     stopped   overruns        a tick in time, arm
+//   stopped   release_estop of an e-stop, line inactive   stopped   not_armed       arm
+//   stopped   operator arm while a cause lasts            stopped   that cause      the cause's own
+//   stopped   operator arm and no cause lasts             armed     none
+//   start     -                                           stopped   not_armed       arm
+//   start     arm_at_start and no cause lasts             armed     none
 //
-// The first rule that applies wins; the table's order is the priority.
+// The first rule that applies wins; the table's order is the priority. Commands of one tick are obeyed one after the
+// other. From an e-stop to its release the reason stays estop, whatever is asked for. Any stop and a disarm end the
+// start: after them nothing arms but an operator.
 #pragma once
 
 #include <array>
@@ -35,7 +43,7 @@ struct FailsafeParams {
   void visit(auto&& param) {
     param("camera_timeout_s", camera_timeout_s, Range{0.05, 5.0}, "a frame older than this is stale [s]");
     param("wheels_timeout_s", wheels_timeout_s, Range{0.02, 5.0}, "an encoder sample older than this is stale [s]");
-    param("max_overruns", max_overruns, Range{1, 1000}, "late ticks in a row that stop the vehicle");
+    param("max_overruns", max_overruns, Range{1, 1000}, "so many late ticks in a row are borne; one more stops");
     param("arm_at_start", arm_at_start, YesNo{},
           "arm by itself once, as soon as every required source is fresh; else an operator arms");
   }

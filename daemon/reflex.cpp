@@ -6,7 +6,8 @@ namespace hindsight {
 
 void ReflexBoard::see(const LineEdge& edge) {
   // The time first: a reader that sees the line pressed must not see an older edge.
-  if (edge.active && edge.line != Line::estop) last_bumper_edge_ns.store(edge.stamp.count(), std::memory_order_relaxed);
+  std::atomic<Time::rep>& last_edge_ns = edge.line == Line::estop ? last_estop_edge_ns : last_bumper_edge_ns;
+  if (edge.active) last_edge_ns.store(edge.stamp.count(), std::memory_order_relaxed);
   line_active[static_cast<std::size_t>(edge.line)].store(edge.active, std::memory_order_release);
 }
 
@@ -20,6 +21,7 @@ GateOutput Reflex::step(Time now, const ReflexBoard& board) {
   input.estop_active = board.active(Line::estop);
   input.bumper_active = board.active(Line::bumper_left) || board.active(Line::bumper_right);
   input.last_bumper_edge = Time(board.last_bumper_edge_ns.load(std::memory_order_relaxed));
+  input.last_estop_edge = Time(board.last_estop_edge_ns.load(std::memory_order_relaxed));
   input.lines_ok = board.lines_ok.load(std::memory_order_relaxed);
   input.bus_ok = board.bus_ok.load(std::memory_order_relaxed);
   return gate_.step(input);

@@ -28,12 +28,13 @@ struct ReflexBoard {
   Latest<Decision> decision;                                 ///< loop
   std::array<std::atomic<bool>, kLineCount> line_active{};   ///< GPIO thread
   std::atomic<Time::rep> last_bumper_edge_ns{0};             ///< GPIO thread
+  std::atomic<Time::rep> last_estop_edge_ns{0};              ///< GPIO thread
   std::atomic<bool> lines_ok{false};                         ///< GPIO thread
   std::atomic<bool> bus_ok{false};                           ///< CAN thread
 
   /// Takes over one edge; called by the thread that owns the lines.
   void see(const LineEdge& edge);
-  bool active(Line line) const { return line_active[static_cast<std::size_t>(line)].load(std::memory_order_relaxed); }
+  bool active(Line line) const { return line_active[static_cast<std::size_t>(line)].load(std::memory_order_acquire); }
 };
 
 struct ReflexParams {

@@ -91,6 +91,16 @@ TEST(CommandGate, ABumperEdgeHoldsUntilTheLoopKnowsOfIt) {
   EXPECT_EQ(gate.step(input).reason, StopReason::none) << "backing off a pressed bumper is allowed";
 }
 
+TEST(CommandGate, AnEstopThatIsOverHoldsUntilTheLoopKnowsOfIt) {
+  GateInput input = permitted(0.3, 0.3, from_seconds(2.0));
+  input.last_estop_edge = from_seconds(1.99);
+  input.decided_at = from_seconds(1.95);
+  expect_stop(input, StopReason::estop);
+  CommandGate gate = driving(0.3, 0.3);
+  input.decided_at = from_seconds(1.99);
+  EXPECT_EQ(gate.step(input).reason, StopReason::none) << "what the loop makes of it, it has decided";
+}
+
 TEST(CommandGate, NoWheelRunsForwardAgainstAPressedBumper) {
   for (const auto& [left, right] : {std::pair{0.3, 0.3}, {0.3, -0.3}, {-0.3, 0.1}}) {
     GateInput input = permitted(left, right, from_seconds(2.0));

@@ -91,6 +91,24 @@ TEST(Failsafe, EstopNeedsReleaseAndThenArm) {
   EXPECT_EQ(step_with(failsafe, healthy(), CommandKind::arm), StopReason::none);
 }
 
+TEST(Failsafe, AnEstopCancelsArmingAtStart) {
+  Failsafe failsafe{FailsafeParams{.arm_at_start = true}};
+  FailsafeInput pressed = healthy();
+  pressed.estop_active = true;
+  EXPECT_EQ(failsafe.step(pressed), StopReason::estop);
+  EXPECT_EQ(step_with(failsafe, healthy(), CommandKind::release_estop), StopReason::not_armed);
+  EXPECT_EQ(failsafe.step(healthy()), StopReason::not_armed) << "a release is not an arm";
+}
+
+TEST(Failsafe, AnEstopStaysTheReasonUntilItsRelease) {
+  Failsafe failsafe{FailsafeParams{}};
+  FailsafeInput pressed = healthy();
+  pressed.estop_active = true;
+  EXPECT_EQ(step_with(failsafe, pressed, CommandKind::stop), StopReason::estop);
+  EXPECT_EQ(step_with(failsafe, healthy(), CommandKind::stop), StopReason::estop);
+  EXPECT_EQ(step_with(failsafe, healthy(), CommandKind::disarm), StopReason::estop);
+}
+
 TEST(Failsafe, StopsAfterTooManyOverrunsInARowOnly) {
   Failsafe failsafe{FailsafeParams{.max_overruns = 2, .arm_at_start = true}};
   failsafe.step(healthy());
