@@ -18,7 +18,7 @@
 namespace hindsight {
 namespace {
 
-#ifdef HINDSIGHT_SANITIZED
+#if defined(HINDSIGHT_SANITIZED) || defined(HINDSIGHT_FEW_STORIES)
 constexpr int kStories = 30'000;
 #else
 constexpr int kStories = 1'000'000;
