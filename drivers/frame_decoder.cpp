@@ -22,6 +22,10 @@ constexpr int kGreenU = 25675;
 constexpr int kGreenV = 53279;
 constexpr int kBlueU = 132201;
 
+std::size_t pixels_of(const Frame& frame) {
+  return static_cast<std::size_t>(frame.width_px) * static_cast<std::size_t>(frame.height_px);
+}
+
 std::uint8_t to_byte(int scaled) { return static_cast<std::uint8_t>(std::clamp(scaled >> kBits, 0, 255)); }
 
 // Pairs of pixels are converted into planes first and interleaved then: so the compiler vectorises the sums.
@@ -78,6 +82,7 @@ DecodeResult decode_jpeg(Frame& frame) {
   }
   if (width <= 0 || height <= 0) return DecodeResult::corrupt;  // tables without a picture
   if (width != frame.width_px || height != frame.height_px) return DecodeResult::wrong_size;
+  frame.bgr.resize(pixels_of(frame) * 3);
   if (tjDecompress2(handle.get(), frame.bytes.data(), frame.bytes.size(), frame.bgr.data(), width, 0, height,
                     TJPF_BGR, kFlags) == 0) {
     return DecodeResult::ok;
@@ -102,18 +107,18 @@ std::string_view to_string(DecodeResult result) {
   return "corrupt";
 }
 
+// Memory for the picture is taken once its bytes have been seen to fit: what a frame says of its size may be a lie.
 DecodeResult decode_frame(Frame& frame) {
-  const std::size_t pixels =
-      static_cast<std::size_t>(frame.width_px) * static_cast<std::size_t>(frame.height_px);
-  frame.bgr.resize(pixels * 3);
+  const std::size_t pixels = pixels_of(frame);
   switch (frame.format) {
     case PixelFormat::yuyv:
       if (frame.width_px % 2 != 0 || frame.bytes.size() != pixels * 2) return DecodeResult::wrong_length;
+      frame.bgr.resize(pixels * 3);
       yuyv_to_bgr(frame.bytes.data(), frame.bgr.data(), pixels / 2);
       return DecodeResult::ok;
     case PixelFormat::bgr24:
       if (frame.bytes.size() != pixels * 3) return DecodeResult::wrong_length;
-      std::copy(frame.bytes.begin(), frame.bytes.end(), frame.bgr.begin());
+      frame.bgr.assign(frame.bytes.begin(), frame.bytes.end());
       return DecodeResult::ok;
     case PixelFormat::mjpeg:
       break;

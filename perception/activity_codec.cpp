@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 #include "config/crc32.h"
 #include "perception/saved_bytes.h"
@@ -19,11 +20,7 @@ constexpr std::array<std::uint8_t, 4> kMagic{'H', 'S', 'A', 'M'};
 constexpr std::uint16_t kVersion = 1;
 constexpr std::size_t kHeaderBytes = 32, kChecksumBytes = 4;
 
-ActivityDecoded refused(const std::string& problem) {
-  ActivityDecoded result;
-  result.problem = problem;
-  return result;
-}
+ActivityDecoded refused(const std::string& problem) { return {{}, problem}; }
 
 }  // namespace
 
@@ -74,7 +71,7 @@ ActivityDecoded decode_activity(std::span<const std::uint8_t> bytes) {
     return refused("byte 8: no map has such cells, so many or such speeds");
   }
   params.cells = static_cast<int>(cells);
-  ActivityDecoded result{ActivityMap(params), {}};
+  ActivityMap map(params);
   const auto count = in.take<std::uint32_t>();
   for (std::uint32_t i = 0; i < count; ++i) {
     const std::size_t begin = in.at() + kMagic.size();
@@ -84,7 +81,7 @@ ActivityDecoded decode_activity(std::span<const std::uint8_t> bytes) {
       const auto bin = in.take<std::uint16_t>();
       const auto times = in.take<std::uint32_t>();
       if (in.ok() && column < cells && row < cells &&
-          result.map.add_count(static_cast<int>(column), static_cast<int>(row), bin, times)) {
+          map.add_count(static_cast<int>(column), static_cast<int>(row), bin, times)) {
         continue;
       }
       return refused(fmt::format("byte {}: cell {} is none of the map's", begin, i));
@@ -93,7 +90,7 @@ ActivityDecoded decode_activity(std::span<const std::uint8_t> bytes) {
   }
   if (in.at() + kMagic.size() != body.size())
     return refused(fmt::format("byte {}: expected the checksum", in.at() + kMagic.size()));
-  return result;
+  return {std::move(map), {}};
 }
 
 }  // namespace hindsight

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -20,8 +21,8 @@ namespace hindsight {
 std::vector<std::uint8_t> encode_activity(const ActivityMap& map);
 
 struct ActivityDecoded {
-  ActivityMap map{{}};
-  std::string problem;  ///< empty: whole and sound; else what is wrong and at which byte, and `map` is empty
+  std::optional<ActivityMap> map;  ///< absent where there is a problem: a refusal costs no map's memory
+  std::string problem;             ///< empty: whole and sound; else what is wrong and at which byte
 };
 ActivityDecoded decode_activity(std::span<const std::uint8_t> bytes);
 

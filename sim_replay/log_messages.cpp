@@ -3,6 +3,7 @@
 #include "sim_replay/log_messages.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <string_view>
 
 namespace hindsight {
@@ -42,6 +43,8 @@ std::string text(const std::vector<std::uint8_t>& bytes) { return {bytes.begin()
 
 }  // namespace
 
+bool is_stamp(std::int64_t ns) { return std::abs(ns / 2) <= std::int64_t{1} << 60; }
+
 void to_message(const Frame& frame, raw_frame_t& message) {
   message.stamp_ns = frame.stamp.count();
   message.sequence = frame.sequence;
@@ -55,7 +58,8 @@ void to_message(const Frame& frame, raw_frame_t& message) {
 
 bool from_message(const raw_frame_t& message, Frame& frame) {
   const auto side_ok = [](std::int32_t side_px) { return side_px > 0 && side_px <= kMaxPictureSide_px; };
-  if (!known(message.format, PixelFormat::bgr24) || !side_ok(message.width_px) || !side_ok(message.height_px))
+  if (!known(message.format, PixelFormat::bgr24) || !side_ok(message.width_px) || !side_ok(message.height_px) ||
+      !is_stamp(message.stamp_ns))
     return false;
   frame.stamp = Time{message.stamp_ns};
   frame.sequence = low_word(message.sequence);
@@ -76,8 +80,8 @@ void to_message(std::span<const CanFrame> frames, raw_can_t& message) {
 }
 
 bool from_message(const raw_can_t& message, std::vector<CanFrame>& frames) {
-  const auto length_ok = [](const can_frame_t& element) { return element.length <= 8; };
-  if (!std::all_of(message.frames.begin(), message.frames.end(), length_ok)) return false;
+  const auto possible = [](const can_frame_t& element) { return element.length <= 8 && is_stamp(element.stamp_ns); };
+  if (!std::all_of(message.frames.begin(), message.frames.end(), possible)) return false;
   std::transform(message.frames.begin(), message.frames.end(), std::back_inserter(frames), from_element);
   return true;
 }
@@ -88,7 +92,7 @@ raw_line_t to_message(const LineEdge& edge) {
 
 bool from_message(const raw_line_t& message, LineEdge& edge) {
   edge = {Time{message.stamp_ns}, static_cast<Line>(message.line), message.active != 0};
-  return known(message.line, Line::estop);
+  return known(message.line, Line::estop) && is_stamp(message.stamp_ns);
 }
 
 raw_fix_t to_message(const GpsFix& fix) {
@@ -98,7 +102,7 @@ raw_fix_t to_message(const GpsFix& fix) {
 bool from_message(const raw_fix_t& message, GpsFix& fix) {
   fix = {Time{message.stamp_ns}, message.latitude_deg, message.longitude_deg, message.altitude_m,
          message.horizontal_sigma_m};
-  return true;
+  return is_stamp(message.stamp_ns);
 }
 
 raw_command_t to_message(const OperatorCommand& command) {
@@ -113,7 +117,7 @@ raw_command_t to_message(const OperatorCommand& command) {
 bool from_message(const raw_command_t& message, OperatorCommand& command) {
   command = {Time{message.stamp_ns}, static_cast<CommandKind>(message.kind), message.a, message.b,
              message.sequence};
-  return known(message.kind, CommandKind::save_model);
+  return known(message.kind, CommandKind::save_model) && is_stamp(message.stamp_ns);
 }
 
 raw_report_t to_message(const SourceReport& report) {
@@ -128,7 +132,8 @@ raw_report_t to_message(const SourceReport& report) {
 bool from_message(const raw_report_t& message, SourceReport& report) {
   report = {Time{message.stamp_ns}, static_cast<Source>(message.source),
             static_cast<SourceState>(message.state), low_word(message.dropped), message.error_code};
-  return known(message.source, Source::operator_link) && known(message.state, SourceState::absent);
+  return known(message.source, Source::operator_link) && known(message.state, SourceState::absent) &&
+         is_stamp(message.stamp_ns);
 }
 
 raw_reflex_t to_message(const ReflexReport& reflex) {
@@ -148,7 +153,7 @@ bool from_message(const raw_reflex_t& message, ReflexReport& reflex) {
             message.stop_reason,
             low_word(message.frames_sent),
             low_word(message.send_errors)};
-  return true;
+  return is_stamp(message.stamp_ns);
 }
 
 raw_timing_t to_message(const LoopTiming& timing) {

@@ -39,6 +39,9 @@ raw_timing_t to_message(const LoopTiming& timing);
 tick_t to_message(const TickInput& tick);
 run_header_t to_message(const RunHeader& header);
 
+/// Within 70 years of the clock's zero, so that no difference of two stamps overflows.
+bool is_stamp(std::int64_t ns);
+
 /// False where a value is none that the sample can have. raw_can_t is added to what is there. The frame's
 /// `bgr` is left alone, as are all but the first three fields of the tick.
 bool from_message(const raw_frame_t& message, Frame& frame);

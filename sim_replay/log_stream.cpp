@@ -15,6 +15,7 @@ namespace hindsight {
 namespace {
 
 constexpr std::size_t kRememberedDamage = 100;
+constexpr std::int64_t kMostTicks = std::int64_t{1} << 48;  // of a run of nine million years
 
 LogItem item_of(std::string_view channel) {
   using namespace log_channel;
@@ -96,13 +97,14 @@ const char* LogStream::decode_frame(FrameRef& frame) {
 
 bool LogStream::read_tick(tick_t& tick) {
   if (!sound(decode_sealed(event().data, tick))) return false;
-  return sound(tick.index < 0 || tick.frames > 1 ? "a tick holds a value that it cannot have" : nullptr);
+  const bool possible = tick.index >= 0 && tick.index < kMostTicks && is_stamp(tick.now_ns) && tick.frames <= 1;
+  return sound(possible ? nullptr : "a tick holds a value that it cannot have");
 }
 
 bool LogStream::read_gap(gap_t& gap) {
   if (!sound(decode_sealed(event().data, gap))) return false;
-  constexpr std::int64_t most = std::int64_t{1} << 48;
-  const bool possible = gap.first_index >= 0 && gap.first_index < most && gap.ticks > 0 && gap.ticks < most;
+  const bool possible =
+      gap.first_index >= 0 && gap.first_index < kMostTicks && gap.ticks > 0 && gap.ticks < kMostTicks;
   return sound(possible ? nullptr : "a gap holds a value that it cannot have");
 }
 

@@ -14,6 +14,9 @@ namespace {
 constexpr Time kLongestGap = std::chrono::hours(1);
 constexpr Time kLastStamp{std::int64_t{1} << 61};
 
+/// Of an event's time: nothing that is reckoned with it then overflows.
+bool is_unix_time(std::int64_t utime_us) { return utime_us >= 0 && utime_us <= kLastStamp.count(); }
+
 /// Calls f(list of a, list of b) for each kind of sample that comes in lists.
 template <class Function>
 void for_each_list(TickInput& a, TickInput& b, Function f) {
@@ -69,6 +72,10 @@ bool SynthesisedTicks::read_ahead() {
     const auto [first, last] = stamp_span(event_);
     if (first < Time::zero() || last > kLastStamp || (now_ && last > *now_ + kLongestGap)) {
       stream_.note_damage(stream_.event().offset, "a sample's stamp is out of order by more than an hour");
+      continue;
+    }
+    if (!now_ && !is_unix_time(stream_.event().time_us)) {
+      stream_.note_damage(stream_.event().offset, "an event's time is none since 1970");
       continue;
     }
     if (!now_) utime_offset_us_ = stream_.event().time_us - first.count() / 1000;

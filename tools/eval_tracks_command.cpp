@@ -93,7 +93,7 @@ void warn_of_scale(const TrackTruth& truth, cv::Size size, const Options& option
 std::shared_ptr<ActivityPrior> load_prior(const std::string& file) {
   const ActivityDecoded decoded = decode_activity(read_file<std::vector<std::uint8_t>>(file));
   if (!decoded.problem.empty()) throw FatalError(kExitBadData, file + ": " + decoded.problem);
-  return std::make_shared<ActivityPrior>(decoded.map);
+  return std::make_shared<ActivityPrior>(*decoded.map);
 }
 
 void save(const ActivityMap& map, const std::string& file) {

@@ -101,6 +101,15 @@ TEST(YuyvDecoding, AgreesWithTheFormulaForEveryColour) {
   EXPECT_LT(largest, 0.51) << "rounded to the nearest";
 }
 
+TEST(FrameDecoding, TakesNoMemoryForAPictureThatIsNotThere) {
+  for (const PixelFormat format : {PixelFormat::yuyv, PixelFormat::mjpeg, PixelFormat::bgr24}) {
+    Frame frame = frame_of(format, {1, 2, 3});
+    frame.width_px = frame.height_px = 16384;
+    EXPECT_NE(decode_frame(frame), DecodeResult::ok);
+    EXPECT_EQ(frame.bgr.capacity(), 0U);
+  }
+}
+
 TEST(YuyvDecoding, RefusesAnotherLength) {
   for (const std::size_t size :
        {std::size_t{0}, std::size_t{kWidth * kHeight * 2 - 1}, std::size_t{kWidth * kHeight * 3}}) {

@@ -1,11 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Hindsight authors
 // SPDX-License-Identifier: BSD-2-Clause
+#include <limits>
 #include <map>
 #include <set>
 
 #include "sim_replay/big_endian.h"
+#include "sim_replay/event_log_format.h"
 #include "sim_replay/event_log_writer.h"
 #include "sim_replay/log_channels.h"
+#include "sim_replay/log_messages.h"
 #include "sim_replay/run_log_reader.h"
 #include "tests/unit/sim_replay/log_test_support.h"
 
@@ -197,6 +200,22 @@ TEST_F(DamagedLog, ADamagedSampleIsNamedByItsEvent) {
   EXPECT_EQ(recovered.ticks.size(), expected_.size() - 1);
   EXPECT_EQ(recovered.losses.damaged_places, 1U);
   EXPECT_EQ(recovered.losses.damage.at(0).offset, frame->begin);
+}
+
+/// With a right checksum, as who wants to harm would write it.
+TEST_F(DamagedLog, ATickOfNoPossibleNumberIsDamage) {
+  const auto tick = std::find_if(places_.begin(), places_.end(),
+                                 [](const EventPlace& p) { return p.channel == log_channel::kTick; });
+  ASSERT_NE(tick, places_.end());
+  Bytes log = whole_;
+  const std::size_t data = tick->begin + kEventHeaderBytes + tick->channel.size();
+  const std::size_t checksum = tick->end - kCrcBytes;
+  write_big_endian(std::numeric_limits<std::int64_t>::max(), &log[data + 8]);  // after the type's hash
+  write_big_endian(crc32(std::span(log).subspan(data, checksum - data)), &log[checksum]);
+  const Outcome strict = replay(log, false);
+  EXPECT_NE(strict.error.find(at_byte(tick->begin) + "a tick holds a value that it cannot have"), std::string::npos)
+      << strict.error;
+  EXPECT_EQ(replay(log, true).ticks.size(), expected_.size() - 1);
 }
 
 TEST_F(DamagedLog, APictureThatCannotBeDecodedIsDamage) {

@@ -4,6 +4,7 @@
 
 #include <cerrno>
 #include <csignal>
+#include <limits>
 
 #include "sim_replay/log_channels.h"
 #include "sim_replay/log_messages.h"
@@ -233,6 +234,8 @@ TEST(LogMessages, RefuseValuesThatASampleCannotHave) {
   std::vector<CanFrame> frames;
   EXPECT_FALSE(from_message(can, frames));
   EXPECT_TRUE(frames.empty());
+  EXPECT_FALSE(from_message(raw_line_t{std::numeric_limits<std::int64_t>::min(), 0, 1, 0}, edge));
+  EXPECT_TRUE(is_stamp(-7));
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Hindsight authors
 // SPDX-License-Identifier: BSD-2-Clause
+#include <limits>
 #include <algorithm>
 #include <map>
 
@@ -124,6 +125,25 @@ TEST(SynthesisedTicks, RefuseAStampThatIsHoursAway) {
     for (const Time stamp : stamps_of(tick)) seen.push_back(stamp);
   }
   EXPECT_EQ(seen, (std::vector<Time>{std::chrono::seconds(1), std::chrono::seconds(2)}));
+}
+
+TEST(SynthesisedTicks, RefuseAnEventOfNoTime) {
+  const TempFolder folder;
+  {
+    RunLogWriter writer(folder / "run.lcm");
+    writer.write_edge({std::chrono::seconds(1), Line::estop, false}, std::numeric_limits<std::int64_t>::min() + 3);
+    writer.write_edge({std::chrono::seconds(2), Line::estop, true}, 2);
+    ASSERT_TRUE(writer.close());
+  }
+  FramePool pool(3, 64, 8);
+  TickInput tick;
+  const std::string message = fatal_message(kExitBadData, [&] {
+    ReplaySource(folder / "run.lcm", pool, decode_bgr24, {false, kPeriod}).next(tick);
+  });
+  EXPECT_NE(message.find("an event's time is none since 1970"), std::string::npos) << message;
+  ReplaySource source(folder / "run.lcm", pool, decode_bgr24, {true, kPeriod});
+  ASSERT_TRUE(source.next(tick));
+  EXPECT_EQ(tick.now, std::chrono::seconds(2));
 }
 
 TEST(SynthesisedTicks, SkipOnlyThePictureThatCannotBeDecoded) {
