@@ -41,6 +41,14 @@ manual_names_all() { # PAGE PROGRAM: each --option that --help lists stands in t
   return "$missing"
 }
 
+udev_grammar() { # RULES: each line is matches and assignments, which udevadm of Debian 12 does not check without devices
+  local term='[A-Z][A-Z_]*(\{[^}"]+\})?(==|!=|\+=|-=|:=|=)"[^"]*"'
+  local wrong
+  wrong=$(grep -vE "^(#.*)?$|^$term(, *$term)*$" "$1") || return 0
+  echo "$1: no rule: $wrong"
+  return 1
+}
+
 DESTDIR=$root cmake --install "$build" --prefix /usr >"$build/packaging.out"
 unit=$root/usr/lib/systemd/system/hindsightd.service
 for file in usr/bin/hindsightd usr/bin/hindsight usr/bin/hindsight-spy etc/hindsight/lagr.toml etc/hindsight/lagr.dbc; do
@@ -59,5 +67,16 @@ if command -v systemd-analyze >/dev/null; then
   check "the unit is shut tight: 2.0 or better" systemd-analyze security --offline=true --threshold=20 "$unit"
   check "sysusers makes user and groups" systemd-sysusers --root="$root" "$root/usr/lib/sysusers.d/hindsight.conf"
   check "the user is there" grep -q '^hindsight:' "$root/etc/passwd"
+  check "tmpfiles makes its folders" systemd-tmpfiles --create --root="$root" "$root/usr/lib/tmpfiles.d/hindsight.conf"
+  check "run logs have a folder of ours alone" test "$(stat -c %a "$root/var/lib/hindsight/runs")" = 750
 fi
+check "udev's rules are well-formed" udev_grammar "$root/usr/lib/udev/rules.d/70-hindsight.rules"
+if udevadm verify --help >/dev/null 2>&1; then
+  check "udev takes the rules" udevadm verify "$root/usr/lib/udev/rules.d/70-hindsight.rules"
+fi
+# Receive buffers for LCM. Where a container hides the keys there is nothing to hold them to.
+if [ -e /proc/sys/net/core/rmem_max ]; then
+  check "the kernel has what sysctl.d sets" sysctl --dry-run -p "$root/usr/lib/sysctl.d/60-hindsight.conf"
+fi
+check "LCM's buffers are set" grep -Eq '^net.core.rmem_max = [0-9]{7,}$' "$root/usr/lib/sysctl.d/60-hindsight.conf"
 exit $((failures > 0))
