@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <cmath>
 #include <cstdio>
@@ -137,7 +138,7 @@ class KeyFile : public testing::Test {
     }
     return "";
   }
-  std::string path_ = testing::TempDir() + "hindsight_key_test";
+  std::string path_ = testing::TempDir() + "hindsight_key_test_" + std::to_string(getpid());
 };
 
 TEST_F(KeyFile, IsReadOrRefusedWithAReason) {
