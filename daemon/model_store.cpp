@@ -42,12 +42,18 @@ std::string sync_folder(const std::filesystem::path& folder) {
   return {};
 }
 
+std::filesystem::path fresh_of(const std::filesystem::path& file) { return file.string() + ".new"; }
+
 }  // namespace
 
 std::filesystem::path previous_of(const std::filesystem::path& file) { return file.string() + ".previous"; }
 
+std::array<std::filesystem::path, 3> saved_copies_of(const std::filesystem::path& file) {
+  return {file, previous_of(file), fresh_of(file)};
+}
+
 std::string save_atomically(const std::filesystem::path& file, std::span<const std::uint8_t> bytes) {
-  const std::filesystem::path fresh = file.string() + ".new";
+  const std::filesystem::path fresh = fresh_of(file);
   const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
   if (std::string error = write_and_sync(fresh, bytes); !error.empty()) return error;
   // A hard link keeps the old content under both names until the rename, so `file` is never missing.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <span>
@@ -15,5 +16,9 @@ std::string save_atomically(const std::filesystem::path& file, std::span<const s
 
 /// Where save_atomically keeps the content before the last.
 std::filesystem::path previous_of(const std::filesystem::path& file);
+
+/// Where to look for what was saved, in this order, for a whole one: FILE, its previous content, and what a killed save
+/// had synced but not yet renamed, which is the only whole one if FILE was damaged before that save.
+std::array<std::filesystem::path, 3> saved_copies_of(const std::filesystem::path& file);
 
 }  // namespace hindsight

@@ -49,8 +49,7 @@ std::string to_text(Configuration configuration) { return print_configuration(co
 
 std::vector<std::uint8_t> load_saved_mixture(const Configuration& configuration) {
   if (configuration.robot.model_file.empty()) return {};
-  const fs::path file = configuration.robot.model_file;
-  for (const fs::path& candidate : {file, previous_of(file)}) {
+  for (const fs::path& candidate : saved_copies_of(configuration.robot.model_file)) {
     if (!fs::exists(candidate)) continue;
     const auto bytes = read_file<std::vector<std::uint8_t>>(candidate);
     const MixtureDecoded decoded = decode_mixture(bytes);

@@ -23,7 +23,7 @@ Configuration load_configuration(const std::vector<std::string>& files);
 /// The configuration as text that reads back to the same values.
 std::string to_text(Configuration configuration);
 
-/// The saved mixture's bytes (its previous copy if the newest is damaged, with a warning); empty where there is none.
+/// The saved mixture's bytes (another copy if the newest is damaged, with a warning); empty where there is none.
 std::vector<std::uint8_t> load_saved_mixture(const Configuration& configuration);
 
 /// All texts of a run: the configuration printed, DBC, calibration, and the saved mixture.
