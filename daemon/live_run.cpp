@@ -16,6 +16,8 @@
 #include "daemon/publisher.h"
 #include "daemon/run_setup.h"
 #include "daemon/say.h"
+#include "daemon/saved_state.h"
+#include "daemon/unix_clock.h"
 #include "drivers/monotonic_clock.h"
 #include "perception/mixture_codec.h"
 #include "sim_replay/run_log_writer.h"
@@ -45,14 +47,20 @@ void record_tick(RunLogWriter& writer, const TickRecord& record) {
   if (!writer.flush()) say(Severity::warning, "recording ended: {}", std::strerror(writer.error_code()));
 }
 
-void save_model(const Configuration& configuration, const MixtureSnapshot& mixture) {
-  if (configuration.robot.model_file.empty() || mixture.components.empty()) return;
-  const std::string problem = save_atomically(configuration.robot.model_file, encode_mixture(mixture));
+void save(const char* what, const std::string& file, std::span<const std::uint8_t> bytes) {
+  const std::string problem = save_atomically(file, bytes);
   if (problem.empty()) {
-    say(Severity::notice, "model saved to {}", configuration.robot.model_file);
+    say(Severity::notice, "{} saved to {}", what, file);
   } else {
-    say(Severity::warning, "model not saved: {}", problem);
+    say(Severity::warning, "{} not saved: {}", what, problem);
   }
+}
+
+void save_memory(const RobotParams& robot, const Memory& memory) {
+  if (!robot.model_file.empty() && !memory.mixture.components.empty()) {
+    save("model", robot.model_file, encode_mixture(memory.mixture));
+  }
+  if (!robot.state_file.empty()) save("state", robot.state_file, encode_state(memory.state));
 }
 
 /// The main thread's work: judges the heartbeats, alone feeds the watchdog, tells systemd and the log how it stands.
@@ -101,7 +109,7 @@ class Housekeeper {
 
 int run_live(const LiveJob& job) {
   const UniqueFd signals = termination_signals();
-  const Configuration configuration = load_configuration(job.configuration_files);
+  const Configuration configuration = with_saved_state(load_configuration(job.configuration_files));
   const RunHeader materials = load_materials(configuration);
   const RobotSetup setup = make_setup(configuration, materials, "");
   const CameraFormatParams& format = configuration.camera.format;
@@ -137,12 +145,12 @@ int run_live(const LiveJob& job) {
     pollfd signal{signals.get(), POLLIN, 0};
     while (poll(&signal, 1, kHousekeeping_ms) == 0 && !failed) {
       housekeeper.look();
-      if (const auto mixture = loop.take_mixture_to_save()) save_model(configuration, *mixture);
+      if (const auto memory = loop.take_memory_to_save()) save_memory(configuration.robot, *memory);
       failed = loop.status().failed.load();
     }
     sd_notify(0, "STOPPING=1");
   }
-  save_model(configuration, robot.learner().mixture().snapshot());
+  save_memory(configuration.robot, memory_of(robot, unix_now_us()));
   sources.reset();
   if (writer && !writer->close()) say(Severity::warning, "the log is incomplete: {}", std::strerror(writer->error_code()));
   return failed ? kExitSoftware : kExitOk;

@@ -23,6 +23,13 @@ void sleep_until(Time due) {
 
 }  // namespace
 
+Memory memory_of(const Robot& robot, std::int64_t utime_us) {
+  const PoseEstimate& pose = robot.localisation().estimate();
+  Memory memory{robot.learner().mixture().snapshot(), {utime_us, pose.gyro_bias_radps, robot.driven().poses()}};
+  memory.state.track.push_back(pose.X_WB);
+  return memory;
+}
+
 Loop::Loop(const Configuration& configuration, Robot& robot, LiveSources& sources, LiveReflex& reflex,
            ReflexBoard& board, TickRecordPool& records, TickConsumer& publisher, TickConsumer* recorder,
            Heartbeats& heartbeats)
@@ -86,7 +93,7 @@ void Loop::tick(Time due) {
   status_.ticks.store(index_, std::memory_order_relaxed);
   if (robot_.take_save_request()) {
     const std::lock_guard lock(saving_);
-    to_save_ = robot_.learner().mixture().snapshot();
+    to_save_ = memory_of(robot_, input.utime_us);
   }
   if (sources_ready()) status_.ready.store(true, std::memory_order_relaxed);
   hand_out(record);
@@ -102,7 +109,7 @@ void Loop::hand_out(TickRecord* record) {
   }
 }
 
-std::optional<MixtureSnapshot> Loop::take_mixture_to_save() {
+std::optional<Memory> Loop::take_memory_to_save() {
   const std::lock_guard lock(saving_);
   return std::exchange(to_save_, std::nullopt);
 }

@@ -11,6 +11,7 @@
 #include "daemon/live_reflex.h"
 #include "daemon/live_sources.h"
 #include "daemon/robot.h"
+#include "daemon/saved_state.h"
 #include "daemon/tick_consumer.h"
 #include "daemon/tick_record.h"
 
@@ -25,6 +26,14 @@ struct LoopStatus {
   std::atomic<bool> failed{false};  ///< the loop ended by an exception; the vehicle was stopped first
 };
 
+/// What of a run outlives the process.
+struct Memory {
+  MixtureSnapshot mixture;
+  SavedState state;
+};
+/// Allocates; not for every tick.
+Memory memory_of(const Robot& robot, std::int64_t utime_us);
+
 /// The fixed-rate loop on absolute time: samples in, one step of the core, decision to the reflex, record to publisher
 /// and recorder. A late tick is counted, and the periods that it ate are skipped, never chased.
 class Loop {
@@ -34,8 +43,8 @@ class Loop {
        TickRecordPool& records, TickConsumer& publisher, TickConsumer* recorder, Heartbeats& heartbeats);
   ~Loop();
   const LoopStatus& status() const { return status_; }
-  /// The mixture as it was when an operator asked for it to be saved; once.
-  std::optional<MixtureSnapshot> take_mixture_to_save();
+  /// What the robot knew when an operator asked for it to be saved; once.
+  std::optional<Memory> take_memory_to_save();
 
  private:
   void work();
@@ -56,7 +65,7 @@ class Loop {
   LoopTiming timing_;
   std::uint64_t index_ = 0;
   std::mutex saving_;  ///< held only around a save that an operator asked for
-  std::optional<MixtureSnapshot> to_save_;
+  std::optional<Memory> to_save_;
   std::atomic<bool> stopping_{false};
   std::thread thread_;
 };

@@ -58,6 +58,7 @@ void Robot::localise(const TickInput& input) {
                          .yaw_rate_radps = vehicle.yaw_rate_radps,
                          .gyro_valid = sensed_.yaw_rate_fresh});
   for (const GpsFix& fix : input.fixes) localisation_.correct(fix);
+  driven_.add(localisation_.estimate().X_WB);
 }
 
 void Robot::obey(const TickInput& input) {

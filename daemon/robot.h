@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "daemon/driven_track.h"
 #include "daemon/failsafe.h"
 #include "daemon/learner.h"
 #include "daemon/mode.h"
@@ -56,6 +57,7 @@ class Robot {
   const Learner& learner() const { return learner_; }
   /// Null where it is not enabled.
   const MotionSense* motion() const { return motion_ ? &*motion_ : nullptr; }
+  const DrivenTrack& driven() const { return driven_; }
   const EvidenceGrid& grid() const { return grid_; }
   const Localisation& localisation() const { return localisation_; }
   const NavigatorOutput& plan() const { return plan_; }
@@ -76,6 +78,7 @@ class Robot {
   Configuration configuration_;
   Senses senses_;
   Localisation localisation_;
+  DrivenTrack driven_;
   Sight sight_;
   Learner learner_;
   std::optional<MotionSense> motion_;

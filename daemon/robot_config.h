@@ -39,6 +39,7 @@ struct RobotParams {
   std::string calibration = "camera.yaml";
   bool learning = true;
   std::string model_file;
+  std::string state_file;
   double loop_rate_hz = 10.0;
   int loop_priority = 20;
   double current_rate_hz = 20.0;
@@ -50,6 +51,8 @@ struct RobotParams {
     param("calibration", calibration, AnyText{}, "camera calibration in OpenCV's YAML, relative to this file");
     param("learning", learning, YesNo{}, "train the mixture; off: it stays as loaded");
     param("model_file", model_file, AnyText{}, "where the learned mixture outlives the process; empty: nowhere");
+    param("state_file", state_file, AnyText{},
+          "where gyro bias and last trajectory outlive the process; empty: nowhere");
     param("loop_rate_hz", loop_rate_hz, Range{1.0, 100.0}, "ticks a second; best the camera's rate [Hz]");
     param("loop_priority", loop_priority, Range{0, 99}, "SCHED_FIFO priority of the loop; 0: none");
     param("current_rate_hz", current_rate_hz, Range{7.0, 1000.0}, "how often the base tells motor currents [Hz]");

@@ -3,11 +3,14 @@
 #include "daemon/run_setup.h"
 
 #include <filesystem>
+#include <functional>
+#include <span>
 
 #include "config/configuration.h"
 #include "config/exit_code.h"
 #include "daemon/model_store.h"
 #include "daemon/say.h"
+#include "daemon/saved_state.h"
 #include "perception/mixture_codec.h"
 #include "sim_replay/read_file.h"
 
@@ -19,6 +22,21 @@ namespace fs = std::filesystem;
 /// The parameters that name files.
 std::vector<std::string*> file_parameters(Configuration& configuration) {
   return {&configuration.robot.calibration, &configuration.can_roles.dbc};
+}
+
+using Bytes = std::span<const std::uint8_t>;
+
+/// The first whole one of what was saved under `file`, damaged ones with a warning; empty where there is none.
+std::vector<std::uint8_t> whole_copy_of(const std::string& file, const std::function<std::string(Bytes)>& problem_of) {
+  if (file.empty()) return {};
+  for (const fs::path& candidate : saved_copies_of(file)) {
+    if (!fs::exists(candidate)) continue;
+    std::vector<std::uint8_t> bytes = read_file<std::vector<std::uint8_t>>(candidate);
+    const std::string problem = problem_of(bytes);
+    if (problem.empty()) return bytes;
+    say(Severity::warning, "{}: {}; not used", candidate.string(), problem);
+  }
+  return {};
 }
 
 }  // namespace
@@ -48,15 +66,18 @@ Configuration load_configuration(const std::vector<std::string>& files) {
 std::string to_text(Configuration configuration) { return print_configuration(configuration); }
 
 std::vector<std::uint8_t> load_saved_mixture(const Configuration& configuration) {
-  if (configuration.robot.model_file.empty()) return {};
-  for (const fs::path& candidate : saved_copies_of(configuration.robot.model_file)) {
-    if (!fs::exists(candidate)) continue;
-    const auto bytes = read_file<std::vector<std::uint8_t>>(candidate);
-    const MixtureDecoded decoded = decode_mixture(bytes);
-    if (decoded.problem.empty()) return bytes;
-    say(Severity::warning, "{}: {}; not used", candidate.string(), decoded.problem);
-  }
-  return {};
+  return whole_copy_of(configuration.robot.model_file, [](Bytes bytes) { return decode_mixture(bytes).problem; });
+}
+
+Configuration with_saved_state(Configuration configuration) {
+  const auto bytes =
+      whole_copy_of(configuration.robot.state_file, [](Bytes saved) { return decode_state(saved).problem; });
+  if (bytes.empty()) return configuration;
+  const SavedState state = decode_state(bytes).state;
+  configuration.localisation.initial_gyro_bias_radps = state.gyro_bias_radps;
+  say(Severity::notice, "the last run, saved at UNIX time {}, had a gyro bias of {:.5f} rad/s and a trajectory of {} poses",
+      state.utime_us / 1'000'000, state.gyro_bias_radps, state.track.size());
+  return configuration;
 }
 
 RunHeader load_materials(const Configuration& configuration) {

@@ -26,6 +26,10 @@ std::string to_text(Configuration configuration);
 /// The saved mixture's bytes (another copy if the newest is damaged, with a warning); empty where there is none.
 std::vector<std::uint8_t> load_saved_mixture(const Configuration& configuration);
 
+/// The configuration with the gyro bias that the last run saved in robot.state_file; as it is where there is none. So the
+/// bias reaches the run log with the configuration, and a replay begins with it too.
+Configuration with_saved_state(Configuration configuration);
+
 /// All texts of a run: the configuration printed, DBC, calibration, and the saved mixture.
 RunHeader load_materials(const Configuration& configuration);
 

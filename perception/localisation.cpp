@@ -37,7 +37,7 @@ Localisation::Localisation(const LocalisationParams& params, const VehicleParams
       vehicle_(vehicle),
       filter_({0.0, 0.0, params.initial_heading_rad},
               params.heading_known ? squared(params.initial_heading_sigma_rad) : 0.0,
-              squared(params.gyro_bias_sigma_radps)) {
+              params.initial_gyro_bias_radps, squared(params.gyro_bias_sigma_radps)) {
   publish();
 }
 

@@ -16,6 +16,7 @@ struct LocalisationParams {
   double blind_speed_sigma_mps = 0.5;
   double blind_yaw_rate_sigma_radps = 0.5;
   double gyro_noise_radps = 0.001;
+  double initial_gyro_bias_radps = 0.0;
   double gyro_bias_sigma_radps = 0.02;
   double gyro_bias_walk_radps = 5e-5;
   double gps_least_sigma_m = 1.0;
@@ -47,6 +48,8 @@ struct LocalisationParams {
           "unknown yaw rate where neither wheels nor gyro are valid [rad/s]");
     param("gyro_noise_radps", gyro_noise_radps, Range{1e-6, 1.0},
           "standard deviation of the heading after 1 s of gyro noise; grows with the root of time [rad]");
+    param("initial_gyro_bias_radps", initial_gyro_bias_radps, Range{-1.0, 1.0},
+          "the gyro's bias at start; the last run's where robot.state_file holds one [rad/s]");
     param("gyro_bias_sigma_radps", gyro_bias_sigma_radps, Range{0.0, 1.0},
           "standard deviation of the gyro's bias at start [rad/s]");
     param("gyro_bias_walk_radps", gyro_bias_walk_radps, Range{0.0, 0.1},

@@ -10,8 +10,8 @@ namespace hindsight {
 using Eigen::Matrix2d;
 using Eigen::Vector2d;
 
-PoseFilter::PoseFilter(const Pose2& X_WB, double heading_rad2, double bias_radps2)
-    : state_(X_WB.x_m, X_WB.y_m, X_WB.heading_rad, 0.0) {
+PoseFilter::PoseFilter(const Pose2& X_WB, double heading_rad2, double bias_radps, double bias_radps2)
+    : state_(X_WB.x_m, X_WB.y_m, X_WB.heading_rad, bias_radps) {
   covariance_(2, 2) = heading_rad2;
   covariance_(3, 3) = bias_radps2;
 }

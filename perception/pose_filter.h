@@ -28,7 +28,7 @@ class PoseFilter {
   using Vector4 = Eigen::Matrix<double, 4, 1>;
   using Matrix4 = Eigen::Matrix<double, 4, 4>;
 
-  PoseFilter(const Pose2& X_WB, double heading_rad2, double bias_radps2);
+  PoseFilter(const Pose2& X_WB, double heading_rad2, double bias_radps, double bias_radps2);
 
   void propagate(const Motion& motion);
   /// A measurement of the bias, ignored where it is farther than `gate` standard deviations off.

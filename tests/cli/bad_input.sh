@@ -70,7 +70,7 @@ overlay dbc.toml '[can.roles]\ndbc = "renamed.dbc"\n'
 expect 78 'renamed.dbc.*LEFT_CURRENT|LEFT_CURRENT.*renamed.dbc' "$daemon" --config lagr.toml --config dbc.toml --check-config
 
 # Devices
-overlay device.toml '[camera]\ndevice = "/dev/hindsight-no-such-camera"\n[can]\ninterface = "hs-no-can0"\n[robot]\nmodel_file = ""\n'
+overlay device.toml '[camera]\ndevice = "/dev/hindsight-no-such-camera"\n[can]\ninterface = "hs-no-can0"\n[robot]\nmodel_file = ""\nstate_file = ""\n'
 expect 69 'hs-no-can0|hindsight-no-such-camera' "$daemon" --config lagr.toml --config device.toml
 
 # Importing

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "daemon/command_codec.h"
+#include "daemon/saved_state.h"
 #include "drivers/dbc.h"
 #include "drivers/frame_pool.h"
 #include "drivers/vehicle_base_codec.h"
@@ -155,6 +156,7 @@ void write_all(const fs::path& folder) {
   write(folder / "command/plain", commands_seed(std::nullopt));
   write(folder / "command/signed", commands_seed(CommandKey{1, 2, 3}));
   write(folder / "mixture/three", encode_mixture(some_mixture()));
+  write(folder / "state/three", encode_state({1, 0.01, {{0.0, 0.0, 0.0}, {1.0, 0.0, 0.1}, {2.0, 0.5, 0.2}}}));
   write(folder / "activity/two", encode_activity(some_activity()));
   fs::create_directories(folder / "run_log");
   write_log_of_ticks(folder / "run_log/ticks");

@@ -18,6 +18,7 @@
 #include <functional>
 
 #include "daemon/run_setup.h"
+#include "daemon/saved_state.h"
 #include "perception/mixture_codec.h"
 
 namespace hindsight {
@@ -138,6 +139,20 @@ TEST_F(ModelStore, AKilledSaveOverADamagedModelLeavesAWholeOne) {
     write(file(), Bytes(100, 0));
   };
   kill_everywhere(prepare, model(2), {model(0), model(2)});
+}
+
+TEST_F(ModelStore, AKilledSaveLeavesTheOldStateOrTheNew) {
+  configuration_.robot.state_file = (folder_ / "state.bin").string();
+  const auto state = [](double bias_radps) { return encode_state({1, bias_radps, {{1.0, 2.0, 3.0}}}); };
+  for (int at = 0;; ++at) {
+    begin_anew();
+    save_atomically(configuration_.robot.state_file, state(0.125));
+    const Trace trace =
+        run_traced([&] { save_atomically(configuration_.robot.state_file, state(0.25)); }, at);
+    const double bias_radps = with_saved_state(configuration_).localisation.initial_gyro_bias_radps;
+    EXPECT_TRUE(bias_radps == 0.125 || bias_radps == 0.25) << "killed at stop " << at << ": " << bias_radps;
+    if (trace.ended || HasFailure()) break;
+  }
 }
 
 /// Against a power cut, of which a killed process shows nothing: the content is on the disk before it has the

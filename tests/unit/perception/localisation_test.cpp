@@ -369,5 +369,16 @@ TEST(Localisation, CarriesAnOldFixForward) {
   EXPECT_NEAR(localisation.estimate().X_WB.x_m, 2.0, 1e-9);
 }
 
+TEST(Localisation, BeginsWithTheBiasThatItIsTold) {
+  LocalisationParams params;
+  params.initial_gyro_bias_radps = 0.02;
+  Localisation localisation(params, VehicleParams{});
+  EXPECT_EQ(localisation.estimate().gyro_bias_radps, 0.02);
+  for (int i = 0; i < 100; ++i) {
+    localisation.predict({.now = from_seconds(1.0 + 0.1 * i), .yaw_rate_radps = 0.02, .gyro_valid = true});
+  }
+  EXPECT_NEAR(localisation.estimate().X_WB.heading_rad, 0.0, 1e-9);
+}
+
 }  // namespace
 }  // namespace hindsight

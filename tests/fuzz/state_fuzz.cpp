@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The Hindsight authors
+// SPDX-License-Identifier: BSD-2-Clause
+//
+// The file in which gyro bias and last trajectory outlive the process: as it is, and once more with a right
+// checksum, so that what stands behind it is reached.
+#include <vector>
+
+#include "config/crc32.h"
+#include "daemon/saved_state.h"
+#include "fuzz.h"
+
+namespace hindsight::fuzz {
+namespace {
+
+void decode(Bytes bytes) {
+  const auto decoded = decode_state(bytes);
+  if (!decoded.problem.empty()) return;
+  require(decode_state(encode_state(decoded.state)).problem.empty(),
+          "what was accepted can be saved and read again");
+}
+
+void run(Bytes bytes) {
+  decode(bytes);
+  std::vector<std::uint8_t> sealed(bytes.begin(), bytes.end());
+  const std::uint32_t checksum = crc32(sealed);
+  for (unsigned shift = 0; shift < 32; shift += 8)
+    sealed.push_back(static_cast<std::uint8_t>(checksum >> shift));
+  decode(sealed);
+}
+
+}  // namespace
+}  // namespace hindsight::fuzz
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  hindsight::fuzz::run({data, size});
+  return 0;
+}
