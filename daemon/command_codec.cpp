@@ -69,11 +69,19 @@ CommandVerdict CommandDecoder::decode(std::span<const std::uint8_t> packet, Time
     return CommandVerdict::wrong_mac;
   }
   if (!known_and_finite(message)) return CommandVerdict::bad_value;
-  if (message.utime < utime_us - window_us_ || message.utime > utime_us + window_us_) return CommandVerdict::untimely;
-  if (message.sequence <= last_sequence_) return CommandVerdict::replayed;
-  last_sequence_ = message.sequence;
+  if (static_cast<CommandKind>(message.kind) != CommandKind::stop) {
+    const CommandVerdict verdict = judge_age(message.utime, message.sequence, utime_us);
+    if (verdict != CommandVerdict::accepted) return verdict;
+    last_sequence_ = message.sequence;
+  }
   command = {stamp, static_cast<CommandKind>(message.kind), message.a, message.b, message.sequence};
   return CommandVerdict::accepted;
+}
+
+CommandVerdict CommandDecoder::judge_age(std::int64_t sent_us, std::int64_t sequence, std::int64_t now_us) {
+  if (sent_us < now_us - window_us_ || sent_us > now_us + window_us_) return CommandVerdict::untimely;
+  if (last_sequence_ > now_us + window_us_) last_sequence_ = 0;  // our clock was set back since
+  return sequence > last_sequence_ ? CommandVerdict::accepted : CommandVerdict::replayed;
 }
 
 std::vector<std::uint8_t> encode_command(const OperatorCommand& command, std::int64_t utime_us,

@@ -31,7 +31,9 @@ enum class CommandVerdict : std::uint8_t {
 };
 constexpr int kCommandVerdictCount = 7;
 
-/// Decides on packets. Keeps the highest sequence number accepted, nothing else.
+/// Decides on packets. Keeps the highest sequence number accepted, nothing else. A stop is obeyed whatever its time and
+/// number: the operator's clock may differ or be set, and a stop sent again does no harm. Where this machine's clock is
+/// set back, the numbers begin anew.
 class CommandDecoder {
  public:
   /// `window_us`: how far a command's time may be from `utime_us` of decode(); without a key no MAC is asked for.
@@ -42,6 +44,9 @@ class CommandDecoder {
                         OperatorCommand& command);
 
  private:
+  /// A sequence number is the sender's time in microseconds.
+  CommandVerdict judge_age(std::int64_t sent_us, std::int64_t sequence, std::int64_t now_us);
+
   std::optional<CommandKey> key_;
   std::int64_t window_us_;
   std::int64_t last_sequence_ = 0;

@@ -76,6 +76,30 @@ TEST(CommandCodec, AReplayedOrUntimelyCommandIsRefused) {
   EXPECT_EQ(decoder.decode(older, Time{}, kNow_us, received), CommandVerdict::replayed);
 }
 
+TEST(CommandCodec, AStopIsObeyedWhateverItsAge) {
+  const OperatorCommand stop;
+  ASSERT_EQ(stop.kind, CommandKind::stop);
+  CommandDecoder decoder(some_key(), kWindow_us);
+  OperatorCommand received;
+  for (const std::int64_t off_us : {-3'600'000'000L, 0L, 0L, 3'600'000'000L}) {
+    const auto packet = encode_command(stop, kNow_us + off_us, some_key());
+    EXPECT_EQ(decoder.decode(packet, Time{}, kNow_us, received), CommandVerdict::accepted);
+  }
+  auto forged = encode_command(stop, kNow_us, std::nullopt);
+  EXPECT_EQ(decoder.decode(forged, Time{}, kNow_us, received), CommandVerdict::wrong_mac);
+}
+
+TEST(CommandCodec, AClockSetBackBeginsTheNumbersAnew) {
+  CommandDecoder decoder(std::nullopt, kWindow_us);
+  OperatorCommand received;
+  ASSERT_EQ(decoder.decode(encode_command(kGoTo, kNow_us, std::nullopt), Time{}, kNow_us, received),
+            CommandVerdict::accepted);
+  const std::int64_t earlier_us = kNow_us - 3'600'000'000L;
+  const auto packet = encode_command(kGoTo, earlier_us, std::nullopt);
+  EXPECT_EQ(decoder.decode(packet, Time{}, earlier_us, received), CommandVerdict::accepted);
+  EXPECT_EQ(decoder.decode(packet, Time{}, earlier_us, received), CommandVerdict::replayed);
+}
+
 TEST(CommandCodec, ValuesThatMeanNothingAreRefused) {
   CommandDecoder decoder(std::nullopt, kWindow_us);
   OperatorCommand received;
