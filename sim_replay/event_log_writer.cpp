@@ -6,12 +6,10 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <cstring>
 
 #include "config/exit_code.h"
-#include "sim_replay/big_endian.h"
 #include "sim_replay/event_log_format.h"
 
 namespace hindsight {
@@ -30,15 +28,6 @@ int write_all(int descriptor, std::span<const std::uint8_t> bytes) {
   return 0;
 }
 
-void write_event_header(std::uint8_t* to, std::int64_t number, std::int64_t time_us,
-                        std::size_t channel_length, std::size_t size) {
-  write_big_endian(kEventSync, to);
-  write_big_endian(number, to + 4);
-  write_big_endian(time_us, to + 12);
-  write_big_endian(static_cast<std::int32_t>(channel_length), to + 20);
-  write_big_endian(static_cast<std::int32_t>(size), to + 24);
-}
-
 }  // namespace
 
 EventLogWriter::EventLogWriter(const std::filesystem::path& path)
@@ -47,7 +36,7 @@ EventLogWriter::EventLogWriter(const std::filesystem::path& path)
     throw FatalError(kExitIo,
                      fmt::format("{}: cannot create the log: {}", path.string(), std::strerror(errno)));
   }
-  buffer_.reserve(kBufferBytes);
+  block_.reserve(kBufferBytes);
 }
 
 EventLogWriter::~EventLogWriter() { close(); }
@@ -55,33 +44,36 @@ EventLogWriter::~EventLogWriter() { close(); }
 std::span<std::uint8_t> EventLogWriter::append(std::string_view channel, std::int64_t time_us,
                                                std::size_t size) {
   if (channel.empty() || channel.size() > kMaxChannelLength || size > kMaxEventBytes) fail(EMSGSIZE);
-  if (buffer_.size() >= kBufferBytes) flush();
+  if (block_.bytes().size() >= kBufferBytes) flush();
   if (!ok()) return {};
-  const std::size_t begin = buffer_.size();
-  buffer_.resize(begin + kEventHeaderBytes + channel.size() + size);
-  std::uint8_t* const to = buffer_.data() + begin;
-  write_event_header(to, next_number_++, time_us, channel.size(), size);
-  std::copy(channel.begin(), channel.end(), to + kEventHeaderBytes);
-  return {to + kEventHeaderBytes + channel.size(), size};
+  return block_.append(channel, time_us, size);
+}
+
+bool EventLogWriter::append_whole(std::span<const std::uint8_t> events) {
+  if (!flush()) return false;
+  const int error = write_all(descriptor_, events);
+  if (error != 0) fail(error);
+  flushed_bytes_ += ok() ? events.size() : 0;
+  return ok();
 }
 
 bool EventLogWriter::flush() {
   if (!ok()) return false;
-  const int error = write_all(descriptor_, buffer_);
+  const int error = write_all(descriptor_, block_.bytes());
   if (error != 0) {
     fail(error);
     return false;
   }
-  flushed_bytes_ += buffer_.size();
-  buffer_.clear();
+  flushed_bytes_ += block_.bytes().size();
+  block_.clear();
   return true;
 }
 
-bool EventLogWriter::close() {
+bool EventLogWriter::close(bool wait_for_disk) {
   if (descriptor_ < 0) return ok();
   flush();
   // Not everything that can be written to can be synchronised (EINVAL: a pipe, /dev/null).
-  if (ok() && ::fdatasync(descriptor_) != 0 && errno != EINVAL) fail(errno);
+  if (wait_for_disk && ok() && ::fdatasync(descriptor_) != 0 && errno != EINVAL) fail(errno);
   if (::close(descriptor_) != 0 && ok()) error_code_ = errno;
   descriptor_ = -1;
   return ok();
@@ -90,7 +82,7 @@ bool EventLogWriter::close() {
 void EventLogWriter::fail(int error_code) {
   if (!ok()) return;
   error_code_ = error_code;
-  buffer_.clear();
+  block_.clear();
   // Half an event at the end would make a whole log a damaged one. Where cutting fails, the reader reports
   // it.
   [[maybe_unused]] const int ignored = ::ftruncate(descriptor_, static_cast<off_t>(flushed_bytes_));
