@@ -15,8 +15,19 @@ StopReason Failsafe::lasting_cause(const FailsafeInput& input) const {
   if (!fresh(Source::can)) return StopReason::can_bus;
   if (!input.wheels_fresh) return StopReason::wheels;
   if (!fresh(Source::camera)) return StopReason::camera;
+  if (input.gps_lost) return StopReason::gps;
+  if (input.bumper_left_stuck) return StopReason::bumper_left_stuck;
+  if (input.bumper_right_stuck) return StopReason::bumper_right_stuck;
   if (overruns_in_a_row_ > params_.max_overruns) return StopReason::overruns;
   return StopReason::none;
+}
+
+/// What the reflex saw between two ticks may be gone by now; it is latched all the same.
+StopReason Failsafe::cause_to_stop(const FailsafeInput& input) const {
+  const StopReason lasting = lasting_cause(input);
+  if (lasting != StopReason::none) return lasting;
+  const bool lost = input.reflex_reason == StopReason::gpio || input.reflex_reason == StopReason::can_bus;
+  return lost ? input.reflex_reason : StopReason::none;
 }
 
 void Failsafe::stop(StopReason reason) {
@@ -67,7 +78,7 @@ StopReason Failsafe::step(const FailsafeInput& input) {
     obey(command, lasting_cause(input), input.estop_active);
   }
   if (armed_) {
-    const StopReason cause = lasting_cause(input);
+    const StopReason cause = cause_to_stop(input);
     if (cause != StopReason::none) stop(cause);
   }
   return reason_;

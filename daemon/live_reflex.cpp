@@ -9,11 +9,24 @@
 
 #include <array>
 
+#include "daemon/beating_thread.h"
 #include "daemon/thread_setup.h"
 #include "drivers/monotonic_clock.h"
 
 namespace hindsight {
 namespace {
+
+/// A bus that has refused so many set-points in a row takes none: at the reflex's rate, a tenth of a second.
+constexpr int kMostRefusedInARow = 10;
+
+/// Does something when the scope ends, also by an exception.
+template <typename Action>
+struct LastWord {
+  Action action;
+  ~LastWord() { action(); }
+};
+template <typename Action>
+LastWord(Action) -> LastWord<Action>;
 
 UniqueFd periodic_timer(double rate_hz) {
   UniqueFd timer(timerfd_create(CLOCK_MONOTONIC, TFD_CLOEXEC | TFD_NONBLOCK));
@@ -40,7 +53,7 @@ LiveReflex::LiveReflex(const Configuration& configuration, const Dbc& dbc, Refle
       reflex_(configuration.gate, configuration.vehicle),
       timer_(periodic_timer(configuration.reflex.rate_hz)),
       wake_(eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)),
-      thread_([this] { work(); }) {}
+      thread_(start_beating_thread(ThreadId::reflex, heartbeats, [this] { work(); })) {}
 
 LiveReflex::~LiveReflex() {
   stopping_.store(true);
@@ -53,21 +66,28 @@ void LiveReflex::wake() {
   static_cast<void>(!write(wake_.get(), &one, sizeof one));
 }
 
+void LiveReflex::send(const WheelSetpoints& set_points, Time now) {
+  const bool taken = sender_.send(codec_.encode(set_points, sender_.counts().sent), now) == 0;
+  refused_in_a_row_ = taken ? 0 : refused_in_a_row_ + 1;
+  board_.bus_takes_frames.store(refused_in_a_row_ < kMostRefusedInARow, std::memory_order_relaxed);
+}
+
 void LiveReflex::act() {
   const Time now = monotonic_now();
   const GateOutput output = reflex_.step(now, board_);
+  send({output.command.left_mps, output.command.right_mps, output.reason == StopReason::none}, now);
   const SendCounts& counts = sender_.counts();
-  const CanFrame frame = codec_.encode(
-      {output.command.left_mps, output.command.right_mps, output.reason == StopReason::none}, counts.sent);
-  sender_.send(frame, now);
   report_.write({now, static_cast<float>(output.command.left_mps), static_cast<float>(output.command.right_mps),
                  static_cast<std::uint8_t>(output.reason), counts.sent, counts.queue_full + counts.failed});
   heartbeats_.beat(ThreadId::reflex, now);
 }
 
 void LiveReflex::work() {
-  name_this_thread("reflex");
+  touch_stack();
+  keep_this_thread_on(configuration_.reflex.cpu);
   make_this_thread_realtime(configuration_.reflex.realtime_priority);
+  // Whatever ends this thread, its last word is zero.
+  const LastWord zero{[this] { send({}, monotonic_now()); }};
   while (!stopping_.load()) {
     std::array<pollfd, 2> events{{{timer_.get(), POLLIN, 0}, {wake_.get(), POLLIN, 0}}};
     poll(events.data(), events.size(), 1000);
@@ -75,8 +95,6 @@ void LiveReflex::work() {
     drain(wake_);
     act();
   }
-  board_.decision.write({DriveCommand{}, monotonic_now(), StopReason::shutdown});
-  act();
 }
 
 }  // namespace hindsight

@@ -28,6 +28,7 @@ class LiveReflex {
  private:
   void work();
   void act();
+  void send(const WheelSetpoints& set_points, Time now);
 
   const Configuration& configuration_;
   ReflexBoard& board_;
@@ -38,6 +39,7 @@ class LiveReflex {
   UniqueFd timer_;
   UniqueFd wake_;
   Latest<ReflexReport> report_;
+  int refused_in_a_row_ = 0;
   std::atomic<bool> stopping_{false};
   std::thread thread_;
 };

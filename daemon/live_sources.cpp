@@ -5,6 +5,7 @@
 #include <sys/eventfd.h>
 #include <unistd.h>
 
+#include "daemon/beating_thread.h"
 #include "daemon/thread_setup.h"
 #include "drivers/monotonic_clock.h"
 #include "drivers/vehicle_decoder.h"
@@ -14,10 +15,11 @@ namespace {
 
 /// How long a driver may wait; also how often its thread beats.
 constexpr Time kServicePeriod = from_seconds(0.05);
+constexpr int kOrdinary = 0;
 
-/// Frames that may be held at once: in the recorder's queue, the publisher's, the loop's and the camera's hands.
+/// Frames that may be held at once: in the recorders' queues, the publisher's, the loop's and the camera's hands.
 std::size_t frames_in_flight(const Configuration& configuration) {
-  return static_cast<std::size_t>(configuration.recorder.queue_ticks) + 10;
+  return static_cast<std::size_t>(configuration.recorder.queue_ticks) + 14;
 }
 
 std::size_t pixels_of(const CameraFormatParams& format) {
@@ -25,18 +27,6 @@ std::size_t pixels_of(const CameraFormatParams& format) {
 }
 
 }  // namespace
-
-void LiveSources::LineSink::on_edge(const LineEdge& edge) {
-  board_.see(edge);
-  reflex_.wake();
-  SampleQueue::on_edge(edge);
-}
-
-void LiveSources::LineSink::on_report(const SourceReport& report) {
-  board_.lines_ok.store(report.state == SourceState::fresh, std::memory_order_relaxed);
-  reflex_.wake();
-  SampleQueue::on_report(report);
-}
 
 void LiveSources::BusSink::on_report(const SourceReport& report) {
   board_.bus_ok.store(report.state == SourceState::fresh, std::memory_order_relaxed);
@@ -57,11 +47,21 @@ LiveSources::LiveSources(const Configuration& configuration, const Dbc& dbc, Ref
   gpio_ = std::make_unique<GpioLines>(configuration.gpio, lines_);
   if (configuration.gps.enabled) gps_ = std::make_unique<GpsdClient>(configuration.gps, fixes_);
   if (!configuration.command.listen.empty()) receiver_ = std::make_unique<CommandReceiver>(configuration.command);
-  serve(ThreadId::camera, *camera_);
-  serve(ThreadId::can, *can_);
-  serve(ThreadId::gpio, *gpio_);
-  if (gps_) serve(ThreadId::gps, *gps_);
-  if (receiver_) serve_commands();
+  serve(ThreadId::camera, kOrdinary, [this] { camera_->service(kServicePeriod, stop_.get()); });
+  serve(ThreadId::can, kOrdinary, [this] { can_->service(kServicePeriod, stop_.get()); });
+  // The way from a bumper to the wheels is as fast as the slower of its two threads.
+  serve(ThreadId::gpio, configuration.reflex.realtime_priority, [this] {
+    gpio_->service(kServicePeriod, stop_.get());
+    lines_.looked(monotonic_now());
+  });
+  if (gps_) serve(ThreadId::gps, kOrdinary, [this] { gps_->service(kServicePeriod, stop_.get()); });
+  if (receiver_) {
+    serve(ThreadId::command, kOrdinary, [this, accepted = std::vector<OperatorCommand>{}]() mutable {
+      accepted.clear();
+      receiver_->service(kServicePeriod, stop_.get(), accepted);
+      for (const OperatorCommand& command : accepted) commands_.on_command(command);
+    });
+  }
 }
 
 LiveSources::~LiveSources() {
@@ -71,28 +71,14 @@ LiveSources::~LiveSources() {
   for (std::thread& thread : threads_) thread.join();
 }
 
-template <typename Driver>
-void LiveSources::serve(ThreadId id, Driver& driver) {
-  threads_.emplace_back([this, id, &driver] {
-    name_this_thread(kThreadNames[static_cast<std::size_t>(id)]);
+void LiveSources::serve(ThreadId id, int priority, std::function<void()> service) {
+  threads_.push_back(start_beating_thread(id, heartbeats_, [this, id, priority, service = std::move(service)] {
+    make_this_thread_realtime(priority);
     while (!stopping_.load(std::memory_order_relaxed)) {
-      driver.service(kServicePeriod, stop_.get());
+      service();
       heartbeats_.beat(id, monotonic_now());
     }
-  });
-}
-
-void LiveSources::serve_commands() {
-  threads_.emplace_back([this] {
-    name_this_thread("command");
-    std::vector<OperatorCommand> accepted;
-    while (!stopping_.load(std::memory_order_relaxed)) {
-      accepted.clear();
-      receiver_->service(kServicePeriod, stop_.get(), accepted);
-      for (const OperatorCommand& command : accepted) commands_.on_command(command);
-      heartbeats_.beat(ThreadId::command, monotonic_now());
-    }
-  });
+  }));
 }
 
 void LiveSources::drain_into(TickInput& input) {

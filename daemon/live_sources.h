@@ -3,12 +3,14 @@
 #pragma once
 
 #include <atomic>
+#include <functional>
 #include <memory>
 #include <thread>
 #include <vector>
 
 #include "daemon/command_receiver.h"
 #include "daemon/heartbeats.h"
+#include "daemon/line_sink.h"
 #include "daemon/live_reflex.h"
 #include "daemon/robot_config.h"
 #include "daemon/sample_queue.h"
@@ -30,17 +32,6 @@ class LiveSources {
   void drain_into(TickInput& input);
 
  private:
-  /// Tells the reflex of every edge before it queues it.
-  class LineSink : public SampleQueue {
-   public:
-    LineSink(ReflexBoard& board, LiveReflex& reflex) : board_(board), reflex_(reflex) {}
-    void on_edge(const LineEdge& edge) override;
-    void on_report(const SourceReport& report) override;
-
-   private:
-    ReflexBoard& board_;
-    LiveReflex& reflex_;
-  };
   class BusSink : public SampleQueue {
    public:
     explicit BusSink(ReflexBoard& board) : board_(board) {}
@@ -50,9 +41,8 @@ class LiveSources {
     ReflexBoard& board_;
   };
 
-  template <typename Driver>
-  void serve(ThreadId id, Driver& driver);
-  void serve_commands();
+  /// A thread that calls `service` again and again and beats after each. `priority`: of SCHED_FIFO, 0: none.
+  void serve(ThreadId id, int priority, std::function<void()> service);
 
   Heartbeats& heartbeats_;
   UniqueFd stop_;

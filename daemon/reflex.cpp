@@ -3,6 +3,21 @@
 #include "daemon/reflex.h"
 
 namespace hindsight {
+namespace {
+
+/// Five services of the GPIO thread. Whether a bumper is pressed is then no longer known.
+constexpr Time kLinesTimeout = from_seconds(0.25);
+
+bool lines_known(Time now, const ReflexBoard& board) {
+  const Time last_look(board.last_look_at_lines_ns.load(std::memory_order_relaxed));
+  return board.lines_ok.load(std::memory_order_relaxed) && now - last_look <= kLinesTimeout;
+}
+
+bool bus_works(const ReflexBoard& board) {
+  return board.bus_ok.load(std::memory_order_relaxed) && board.bus_takes_frames.load(std::memory_order_relaxed);
+}
+
+}  // namespace
 
 void ReflexBoard::see(const LineEdge& edge) {
   // The time first: a reader that sees the line pressed must not see an older edge.
@@ -17,13 +32,13 @@ GateOutput Reflex::step(Time now, const ReflexBoard& board) {
   input.now = now;
   input.wanted = decision.command;
   input.decided_at = decision.decided_at;
-  input.loop_reason = decision.reason;
+  input.loop_reason = board.thread_lost.load(std::memory_order_relaxed) ? StopReason::thread : decision.reason;
   input.estop_active = board.active(Line::estop);
   input.bumper_active = board.active(Line::bumper_left) || board.active(Line::bumper_right);
   input.last_bumper_edge = Time(board.last_bumper_edge_ns.load(std::memory_order_relaxed));
   input.last_estop_edge = Time(board.last_estop_edge_ns.load(std::memory_order_relaxed));
-  input.lines_ok = board.lines_ok.load(std::memory_order_relaxed);
-  input.bus_ok = board.bus_ok.load(std::memory_order_relaxed);
+  input.lines_ok = lines_known(now, board);
+  input.bus_ok = bus_works(board);
   return gate_.step(input);
 }
 

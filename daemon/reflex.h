@@ -30,7 +30,10 @@ struct ReflexBoard {
   std::atomic<Time::rep> last_bumper_edge_ns{0};             ///< GPIO thread
   std::atomic<Time::rep> last_estop_edge_ns{0};              ///< GPIO thread
   std::atomic<bool> lines_ok{false};                         ///< GPIO thread
+  std::atomic<Time::rep> last_look_at_lines_ns{0};           ///< GPIO thread; grows old when that thread hangs
   std::atomic<bool> bus_ok{false};                           ///< CAN thread
+  std::atomic<bool> bus_takes_frames{true};                  ///< reflex thread
+  std::atomic<bool> thread_lost{false};                      ///< main thread, which judges all the others; for good
 
   /// Takes over one edge; called by the thread that owns the lines.
   void see(const LineEdge& edge);
@@ -40,10 +43,12 @@ struct ReflexBoard {
 struct ReflexParams {
   double rate_hz = 100.0;
   int realtime_priority = 50;
+  int cpu = -1;
 
   void visit(auto&& param) {
     param("rate_hz", rate_hz, Range{20.0, 1000.0}, "how often a set-point goes to the bus [Hz]");
-    param("realtime_priority", realtime_priority, Range{0, 99}, "SCHED_FIFO priority of the reflex; 0: none");
+    param("realtime_priority", realtime_priority, Range{0, 99}, "SCHED_FIFO priority of reflex and GPIO lines; 0: none");
+    param("cpu", cpu, Range{-1, 1023}, "processor that the reflex stays on; -1: any");
   }
 };
 

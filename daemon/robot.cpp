@@ -45,6 +45,7 @@ Decision Robot::step(const TickInput& input, Outbox& outbox) {
   const Decision decision{plan_.command, input.now, reason};
   publish(input, new_frame, decision, outbox);
   last_now_ = input.now;
+  last_reason_ = reason;
   return decision;
 }
 
@@ -122,11 +123,22 @@ void Robot::update_map(bool new_frame) {
   if (window_moved_) grid_.copy_costs(window_costs_);
 }
 
+/// Why the reflex stopped the vehicle though this core permits motion. It repeats the core's own reasons, so only a report
+/// made after it had the last tick's decision counts.
+StopReason Robot::reflex_reason(const TickInput& input) const {
+  const bool knew = input.reflex.stamp > last_now_ + input.timing.step_duration;
+  return knew && last_reason_ == StopReason::none ? static_cast<StopReason>(input.reflex.stop_reason) : StopReason::none;
+}
+
 StopReason Robot::judge(const TickInput& input) {
   FailsafeInput judged;
   judged.sources = sensed_.sources;
   judged.wheels_fresh = sensed_.wheels_fresh;
   judged.estop_active = sensed_.was_touched(Line::estop);
+  judged.gps_lost = sensed_.gps_lost;
+  judged.bumper_left_stuck = sensed_.is_stuck(Line::bumper_left);
+  judged.bumper_right_stuck = sensed_.is_stuck(Line::bumper_right);
+  judged.reflex_reason = reflex_reason(input);
   judged.overrun = input.timing.overruns > std::exchange(last_overruns_, input.timing.overruns);
   judged.commands = input.commands;
   const StopReason reason = failsafe_.step(judged);

@@ -70,6 +70,7 @@ class Robot {
   bool see_and_learn(const TickInput& input);
   void update_map(bool new_frame);
   StopReason judge(const TickInput& input);
+  StopReason reflex_reason(const TickInput& input) const;
   std::optional<Point2> goal_to_reach();
   void plan(const TickInput& input, bool motion_permitted);
   void publish(const TickInput& input, bool new_frame, const Decision& decision, Outbox& outbox);
@@ -97,6 +98,7 @@ class Robot {
   bool save_requested_ = false;
   std::uint32_t last_overruns_ = 0;
   Time last_now_{};
+  StopReason last_reason_ = StopReason::not_armed;
 };
 
 }  // namespace hindsight

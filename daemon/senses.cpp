@@ -51,9 +51,13 @@ void Senses::listen_for_slip(const TickInput& input) {
 }
 
 void Senses::follow_lines(const TickInput& input) {
+  for (const SourceReport& report : input.reports) {
+    if (report.source == Source::gpio && report.state == SourceState::failed) sensed_.seen_released = {};
+  }
   sensed_.touched = sensed_.active;
   for (const LineEdge& edge : input.edges) {
     sensed_.active[index_of(edge.line)] = edge.active;
+    sensed_.seen_released[index_of(edge.line)] |= !edge.active;
     sensed_.touched[index_of(edge.line)] = sensed_.touched[index_of(edge.line)] || edge.active;
     last_sample_[index_of(Source::gpio)] = edge.stamp;
   }
@@ -80,6 +84,8 @@ void Senses::judge_sources(const TickInput& input) {
       state = is_fresh(last_sample_[i], input.now, timeouts[i]) ? SourceState::fresh : SourceState::stale;
     }
   }
+  const Time last_fix = last_sample_[index_of(Source::gps)];
+  sensed_.gps_lost = last_fix != Time{} && !is_fresh(last_fix, input.now, from_seconds(params_.gps_timeout_s));
   if (sensed_.vehicle.bus.bus_off) sensed_.sources[index_of(Source::can)] = SourceState::failed;
 }
 

@@ -18,15 +18,19 @@ struct Sensed {
   VehicleSignals vehicle;                          ///< latest good values
   std::array<bool, kLineCount> active{};           ///< level of each line now
   std::array<bool, kLineCount> touched{};          ///< active now or at any time since the last tick
+  std::array<bool, kLineCount> seen_released{};    ///< since the lines were opened
   std::array<SourceState, kSourceCount> sources{};
   std::array<std::uint32_t, kSourceCount> dropped{};
   bool wheels_fresh = false;
   bool yaw_rate_fresh = false;
+  bool gps_lost = false;  ///< there was a fix, but none for failsafe.gps_timeout_s
   bool ir_fresh = false;
   bool slipping = false;
   bool slip_began = false;  ///< slipping now, but not in the last tick
 
   bool is_active(Line line) const { return active[static_cast<std::size_t>(line)]; }
+  /// Pressed ever since its line was opened: a switch that sticks, or a vehicle that was switched on against something.
+  bool is_stuck(Line line) const { return is_active(line) && !seen_released[static_cast<std::size_t>(line)]; }
   bool was_touched(Line line) const { return touched[static_cast<std::size_t>(line)]; }
 };
 

@@ -11,6 +11,7 @@ VirtualReflex::VirtualReflex(const Configuration& configuration)
 }
 
 void VirtualReflex::step(Time now) {
+  board_.last_look_at_lines_ns = now.count();
   const GateOutput output = reflex_.step(now, board_);
   report_.stamp = now;
   report_.left_mps = static_cast<float>(output.command.left_mps);

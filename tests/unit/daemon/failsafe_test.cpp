@@ -71,6 +71,47 @@ TEST(Failsafe, StaleWheelsStop) {
   EXPECT_EQ(failsafe.step(input), StopReason::wheels);
 }
 
+TEST(Failsafe, ABumperStuckSinceTheStartRefusesArmingByName) {
+  Failsafe failsafe{FailsafeParams{}};
+  FailsafeInput input = healthy();
+  input.bumper_left_stuck = true;
+  EXPECT_EQ(step_with(failsafe, input, CommandKind::arm), StopReason::bumper_left_stuck);
+  input = healthy();
+  input.bumper_right_stuck = true;
+  EXPECT_EQ(step_with(failsafe, input, CommandKind::arm), StopReason::bumper_right_stuck);
+  EXPECT_EQ(step_with(failsafe, healthy(), CommandKind::arm), StopReason::none);
+}
+
+TEST(Failsafe, WhatTheReflexLostBetweenTicksIsLatched) {
+  for (const StopReason lost : {StopReason::gpio, StopReason::can_bus}) {
+    Failsafe failsafe{FailsafeParams{.arm_at_start = true}};
+    failsafe.step(healthy());
+    FailsafeInput input = healthy();
+    input.reflex_reason = lost;
+    EXPECT_EQ(failsafe.step(input), lost);
+    EXPECT_EQ(failsafe.step(healthy()), lost) << "latched";
+    EXPECT_EQ(step_with(failsafe, healthy(), CommandKind::arm), StopReason::none);
+  }
+}
+
+TEST(Failsafe, GpsLostForTooLongStopsAndIsLatched) {
+  Failsafe failsafe{FailsafeParams{.arm_at_start = true}};
+  failsafe.step(healthy());
+  FailsafeInput input = healthy();
+  input.gps_lost = true;
+  EXPECT_EQ(failsafe.step(input), StopReason::gps);
+  EXPECT_EQ(step_with(failsafe, input, CommandKind::arm), StopReason::gps);
+  EXPECT_EQ(failsafe.step(healthy()), StopReason::gps) << "latched";
+  EXPECT_EQ(step_with(failsafe, healthy(), CommandKind::arm), StopReason::none);
+}
+
+TEST(Failsafe, ABumperSeenByTheReflexStopsNothingHere) {
+  Failsafe failsafe{FailsafeParams{.arm_at_start = true}};
+  FailsafeInput input = healthy();
+  input.reflex_reason = StopReason::bumper;
+  EXPECT_EQ(failsafe.step(input), StopReason::none);
+}
+
 TEST(Failsafe, GpsAndOperatorLinkAreNotRequired) {
   Failsafe failsafe{FailsafeParams{.arm_at_start = true}};
   FailsafeInput input = without(Source::gps);
