@@ -3,10 +3,9 @@
 #include "daemon/loop.h"
 
 #include <ctime>
-#include <exception>
 #include <utility>
 
-#include "daemon/say.h"
+#include "daemon/beating_thread.h"
 #include "daemon/thread_setup.h"
 #include "daemon/unix_clock.h"
 #include "drivers/monotonic_clock.h"
@@ -32,7 +31,7 @@ Memory memory_of(const Robot& robot, std::int64_t utime_us) {
 
 Loop::Loop(const Configuration& configuration, Robot& robot, LiveSources& sources, LiveReflex& reflex,
            ReflexBoard& board, TickRecordPool& records, TickConsumer& publisher, TickConsumer* recorder,
-           Heartbeats& heartbeats)
+           TickConsumer* flight_recorder, Heartbeats& heartbeats)
     : configuration_(configuration),
       robot_(robot),
       sources_(sources),
@@ -41,33 +40,39 @@ Loop::Loop(const Configuration& configuration, Robot& robot, LiveSources& source
       records_(records),
       publisher_(publisher),
       recorder_(recorder),
+      flight_recorder_(flight_recorder),
       heartbeats_(heartbeats),
-      thread_([this] { work(); }) {}
+      thread_(start_beating_thread(ThreadId::loop, heartbeats, [this] { work(); })) {}
 
 Loop::~Loop() {
   stopping_.store(true);
   thread_.join();
 }
 
+void Loop::stop_the_vehicle() { board_.decision.write({DriveCommand{}, monotonic_now(), StopReason::shutdown}); }
+
 void Loop::work() {
-  name_this_thread("loop");
+  touch_stack();
+  keep_this_thread_on(configuration_.robot.loop_cpu);
   make_this_thread_realtime(configuration_.robot.loop_priority);
+  try {
+    run();
+  } catch (...) {
+    stop_the_vehicle();  // before anything is said of it
+    throw;
+  }
+  stop_the_vehicle();
+}
+
+void Loop::run() {
   const Time period = from_seconds(1.0 / configuration_.robot.loop_rate_hz);
   Time due = monotonic_now() + period;
-  try {
-    while (!stopping_.load(std::memory_order_relaxed)) {
-      sleep_until(due);
-      tick(due);
-      due += period;
-      for (const Time now = monotonic_now(); due <= now; due += period) ++timing_.overruns;
-    }
-  } catch (const std::exception& error) {
-    // The vehicle first: the reflex has the stop before anything is said.
-    board_.decision.write({DriveCommand{}, monotonic_now(), StopReason::shutdown});
-    status_.failed.store(true);
-    say(Severity::error, "the loop failed: {}", error.what());
+  while (!stopping_.load(std::memory_order_relaxed)) {
+    sleep_until(due);
+    tick(due);
+    due += period;
+    for (const Time now = monotonic_now(); due <= now; due += period) ++timing_.overruns;
   }
-  board_.decision.write({DriveCommand{}, monotonic_now(), StopReason::shutdown});
 }
 
 void Loop::tick(Time due) {
@@ -85,6 +90,7 @@ void Loop::tick(Time due) {
   record->outbox.clear();
   const Decision decision = robot_.step(input, record->outbox);
   board_.decision.write(decision);
+  record->reason = decision.reason;
 
   timing_.wake_latency = input.now - due;
   timing_.step_duration = monotonic_now() - input.now;
@@ -101,8 +107,9 @@ void Loop::tick(Time due) {
 }
 
 void Loop::hand_out(TickRecord* record) {
-  record->hand_out(recorder_ != nullptr ? 2 : 1);
+  record->hand_out(1 + (recorder_ != nullptr) + (flight_recorder_ != nullptr));
   if (!publisher_.offer(record)) record->release();
+  if (flight_recorder_ != nullptr && !flight_recorder_->offer(record)) record->release();
   if (recorder_ != nullptr && !recorder_->offer(record)) {
     record->release();
     ++timing_.recorder_dropped;

@@ -23,7 +23,6 @@ struct LoopStatus {
   std::atomic<std::uint8_t> reason{0};     ///< StopReason
   std::atomic<std::uint8_t> behaviour{0};  ///< Behaviour
   std::atomic<bool> ready{false};          ///< every required source has given data
-  std::atomic<bool> failed{false};  ///< the loop ended by an exception; the vehicle was stopped first
 };
 
 /// What of a run outlives the process.
@@ -38,9 +37,10 @@ Memory memory_of(const Robot& robot, std::int64_t utime_us);
 /// and recorder. A late tick is counted, and the periods that it ate are skipped, never chased.
 class Loop {
  public:
-  /// `recorder` may be null.
+  /// `recorder` and `flight_recorder` may be null.
   Loop(const Configuration& configuration, Robot& robot, LiveSources& sources, LiveReflex& reflex, ReflexBoard& board,
-       TickRecordPool& records, TickConsumer& publisher, TickConsumer* recorder, Heartbeats& heartbeats);
+       TickRecordPool& records, TickConsumer& publisher, TickConsumer* recorder, TickConsumer* flight_recorder,
+       Heartbeats& heartbeats);
   ~Loop();
   const LoopStatus& status() const { return status_; }
   /// What the robot knew when an operator asked for it to be saved; once.
@@ -48,6 +48,8 @@ class Loop {
 
  private:
   void work();
+  void run();
+  void stop_the_vehicle();
   void tick(Time due);
   void hand_out(TickRecord* record);
   bool sources_ready() const;
@@ -60,6 +62,7 @@ class Loop {
   TickRecordPool& records_;
   TickConsumer& publisher_;
   TickConsumer* recorder_;
+  TickConsumer* flight_recorder_;
   Heartbeats& heartbeats_;
   LoopStatus status_;
   LoopTiming timing_;

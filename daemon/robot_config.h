@@ -11,6 +11,7 @@
 #include "daemon/command_gate.h"
 #include "daemon/command_receiver.h"
 #include "daemon/failsafe.h"
+#include "daemon/flight_recorder.h"
 #include "daemon/reflex.h"
 #include "drivers/can_roles.h"
 #include "drivers/gpio_lines.h"
@@ -42,6 +43,8 @@ struct RobotParams {
   std::string state_file;
   double loop_rate_hz = 10.0;
   int loop_priority = 20;
+  int loop_cpu = -1;
+  bool lock_memory = true;
   double current_rate_hz = 20.0;
   double watchdog_s = 1.0;
 
@@ -55,9 +58,11 @@ struct RobotParams {
           "where gyro bias and last trajectory outlive the process; empty: nowhere");
     param("loop_rate_hz", loop_rate_hz, Range{1.0, 100.0}, "ticks a second; best the camera's rate [Hz]");
     param("loop_priority", loop_priority, Range{0, 99}, "SCHED_FIFO priority of the loop; 0: none");
+    param("loop_cpu", loop_cpu, Range{-1, 1023}, "processor that the loop stays on; -1: any");
+    param("lock_memory", lock_memory, YesNo{}, "keep the process in memory: nothing of it is ever swapped out");
     param("current_rate_hz", current_rate_hz, Range{7.0, 1000.0}, "how often the base tells motor currents [Hz]");
     param("watchdog_s", watchdog_s, Range{0.1, 60.0},
-          "a thread silent for so long is hung: the watchdog is fed no more [s]");
+          "a thread silent for so long hangs: the vehicle is stopped and the process ends [s]");
   }
 };
 
@@ -96,6 +101,7 @@ struct Configuration {
   CommandParams command;
   TelemetryParams telemetry;
   RecorderParams recorder;
+  FlightRecorderParams flight_recorder;
   FailsafeParams failsafe;
   GateParams gate;
   ReflexParams reflex;
@@ -125,6 +131,7 @@ struct Configuration {
     section("command", command);
     section("telemetry", telemetry);
     section("recorder", recorder);
+    section("flight_recorder", flight_recorder);
     section("failsafe", failsafe);
     section("gate", gate);
     section("reflex", reflex);

@@ -4,13 +4,15 @@
 
 #include <utility>
 
-#include "daemon/thread_setup.h"
+#include "daemon/beating_thread.h"
 #include "drivers/monotonic_clock.h"
 
 namespace hindsight {
 
-TickConsumer::TickConsumer(ThreadId id, std::size_t capacity, Heartbeats& heartbeats, Handler handler)
-    : id_(id), heartbeats_(heartbeats), handler_(std::move(handler)), queue_(capacity), thread_([this] { work(); }) {}
+TickConsumer::TickConsumer(ThreadId id, std::size_t capacity, Heartbeats& heartbeats, Handler handler,
+                           std::function<void()> between)
+    : id_(id), heartbeats_(heartbeats), handler_(std::move(handler)), between_(std::move(between)), queue_(capacity),
+      thread_(start_beating_thread(id, heartbeats, [this] { work(); })) {}
 
 TickConsumer::~TickConsumer() {
   ending_.store(true, std::memory_order_release);
@@ -28,7 +30,6 @@ bool TickConsumer::offer(TickRecord* record) {
 }
 
 void TickConsumer::work() {
-  name_this_thread(kThreadNames[static_cast<std::size_t>(id_)]);
   while (true) {
     heartbeats_.beat(id_, monotonic_now());
     static_cast<void>(waiting_.try_acquire_for(std::chrono::milliseconds(50)));
@@ -40,6 +41,7 @@ void TickConsumer::work() {
       record->release();
       heartbeats_.beat(id_, monotonic_now());
     }
+    if (between_) between_();
     if (ending) return;
   }
 }

@@ -19,7 +19,9 @@ class TickConsumer {
  public:
   using Handler = std::function<void(const TickRecord&)>;
 
-  TickConsumer(ThreadId id, std::size_t capacity, Heartbeats& heartbeats, Handler handler);
+  /// `between`, if given, is called again and again, also while no tick comes.
+  TickConsumer(ThreadId id, std::size_t capacity, Heartbeats& heartbeats, Handler handler,
+               std::function<void()> between = {});
   /// Works off what is queued, then ends the thread.
   ~TickConsumer();
 
@@ -34,6 +36,7 @@ class TickConsumer {
   ThreadId id_;
   Heartbeats& heartbeats_;
   Handler handler_;
+  std::function<void()> between_;
   SpscQueue<TickRecord*> queue_;
   std::counting_semaphore<> waiting_{0};
   std::atomic<bool> ending_{false};

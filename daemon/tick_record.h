@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "daemon/outbox.h"
+#include "daemon/stop_reason.h"
 #include "drivers/tick_input.h"
 
 namespace hindsight {
@@ -15,6 +16,7 @@ namespace hindsight {
 struct TickRecord {
   TickInput input;
   Outbox outbox;
+  StopReason reason = StopReason::not_armed;  ///< the tick's decision
 
   TickRecord() { input.reserve(); }
 

@@ -14,6 +14,7 @@
 #include <string>
 
 #include "config/exit_code.h"
+#include "daemon/flight_recorder.h"
 #include "daemon/replay_run.h"
 #include "drivers/monotonic_clock.h"
 #include "sim_replay/run_log_writer.h"
@@ -116,8 +117,16 @@ double bench_resident_mb(std::span<const cv::Mat> bgr_frames, const Configuratio
   const pid_t child = fork();
   if (child == 0) {
     Car car(bgr_frames, configuration);
+    FlightRecorderParams remembered = configuration.flight_recorder;
+    remembered.folder = std::filesystem::temp_directory_path().string();  // nothing is written: there is no fault
+    FlightRecorder flight(remembered, BenchDrive::header(configuration));
+    TickRecord record;
     const auto ticks = static_cast<std::uint64_t>(configuration.flow_history.depth) + 20;
-    for (std::uint64_t tick = 0; tick < ticks; ++tick) car.step(tick);
+    for (std::uint64_t tick = 0; tick < ticks; ++tick) {
+      car.step(tick);
+      record.input = car.input;
+      flight.take(record);
+    }
     const double mb = resident_mb();
     _exit(write(ends[1], &mb, sizeof mb) == sizeof mb ? 0 : 1);
   }

@@ -51,6 +51,15 @@ std::string compare_tick(const ReplayRun& run) {
   return {};
 }
 
+/// A flight recorder's log: what the robot had learned and mapped before is not in it.
+int tell_beginning(const std::string& log, std::uint64_t index) {
+  fmt::print(
+      "{}: begins with tick {} of its run; what the robot knew by then is not in the log, so a replay cannot publish the "
+      "same. hindsightd --replay and hindsight report take it as it is\n",
+      log, index);
+  return kExitDiffers;
+}
+
 }  // namespace
 
 int verify_run(const std::string& log) {
@@ -61,6 +70,7 @@ int verify_run(const std::string& log) {
   std::uint64_t ticks = 0;
   std::uint64_t messages = 0;
   while (run.step()) {
+    if (ticks == 0 && run.input().index > 0) return tell_beginning(log, run.input().index);
     const std::string difference = compare_tick(run);
     if (!difference.empty()) {
       fmt::print("{}: differs first in tick {}, {}\n", log, run.input().index, difference);
