@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "daemon/telemetry.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "daemon/telemetry_messages.h"
@@ -13,6 +14,7 @@ namespace {
 constexpr std::size_t kLongestPath = 8192;
 constexpr std::size_t kMostRollouts = 512;
 constexpr std::uint64_t kActivityEveryTicks = 50;
+constexpr std::uint64_t kHistogramEveryTicks = 50;
 
 /// Larger standard deviation of the position: the root of the covariance's larger eigenvalue.
 double position_sigma_m(const Eigen::Matrix3d& covariance) {
@@ -183,6 +185,19 @@ void Telemetry::publish_timing(const TickReport& tick, Outbox& outbox) {
   m.overruns = number<std::int32_t>(tick.input.timing.overruns);
   m.recorder_dropped = number<std::int32_t>(tick.input.timing.recorder_dropped);
   outbox.add("HINDSIGHT_TIMING", m.utime, m);
+  if (tick.input.index == 0) return;  // there was no tick before
+  wake_latency_.add(tick.input.timing.wake_latency);
+  step_duration_.add(tick.input.timing.step_duration);
+  if (tick.input.index % kHistogramEveryTicks == 0) publish_histogram(tick, outbox);
+}
+
+void Telemetry::publish_histogram(const TickReport& tick, Outbox& outbox) {
+  timing_histogram_t& m = messages_->histogram;
+  m.utime = tick.input.utime_us;
+  m.tick = number<std::int64_t>(tick.input.index);
+  std::ranges::copy(wake_latency_.counts(), m.wake_latency);
+  std::ranges::copy(step_duration_.counts(), m.step_duration);
+  outbox.add("HINDSIGHT_TIMING_HISTOGRAM", m.utime, m);
 }
 
 }  // namespace hindsight

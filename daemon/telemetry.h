@@ -13,6 +13,7 @@
 #include "daemon/robot_config.h"
 #include "daemon/senses.h"
 #include "daemon/sight.h"
+#include "daemon/timing_histogram.h"
 #include "drivers/tick_input.h"
 #include "perception/camera_model.h"
 #include "perception/evidence_grid.h"
@@ -62,12 +63,15 @@ class Telemetry {
   void publish_tracks(const TickReport& tick, Outbox& outbox);
   void publish_activity(const TickReport& tick, Outbox& outbox);
   void publish_timing(const TickReport& tick, Outbox& outbox);
+  void publish_histogram(const TickReport& tick, Outbox& outbox);
 
   TelemetryParams params_;
   double look_ahead_m_;
   std::unique_ptr<Messages> messages_;
   std::uint64_t mixture_version_ = 0;
   std::uint64_t activity_total_ = 0;
+  TimingHistogram wake_latency_;
+  TimingHistogram step_duration_;
 };
 
 }  // namespace hindsight

@@ -14,6 +14,7 @@
 #include <hindsight/road_t.hpp>
 #include <hindsight/slip_t.hpp>
 #include <hindsight/state_t.hpp>
+#include <hindsight/timing_histogram_t.hpp>
 #include <hindsight/timing_t.hpp>
 #include <hindsight/tracks_t.hpp>
 #include <hindsight/training_t.hpp>
@@ -42,6 +43,7 @@ struct Telemetry::Messages {
   road_t road{};
   slip_t slip{};
   timing_t timing{};
+  timing_histogram_t histogram{};
   tracks_t tracks{};
   activity_map_t activity{};
 };

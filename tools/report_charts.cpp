@@ -182,6 +182,27 @@ std::string latency_histogram(const RunTrace& trace) {
   return histogram(values, "wake latency [ms]", std::nullopt);
 }
 
+std::string timing_decades(const RunTrace& trace) {
+  const auto most = [](const TimingHistogram& histogram) { return *std::ranges::max_element(histogram.counts()); };
+  const double top = std::log10(std::max({most(trace.wake_latency), most(trace.step_duration), 9}));
+  SvgChart chart(kWidthPx, 260, {0.0, 6.0, "duration: 10 to the power of ... [us]"},
+                 {-0.3, 1.1 * top, "ticks: 10 to the power of ..."});
+  const auto draw = [&](const TimingHistogram& histogram, double from, double to, Rgb color, const char* name) {
+    chart.legend(name, color);
+    for (std::size_t i = 0; i + 1 < TimingHistogram::kBins; ++i) {
+      const int ticks = histogram.counts()[i];
+      const double begin_us = TimingHistogram::lower_edge_us(i), end_us = TimingHistogram::lower_edge_us(i + 1);
+      const double begin = std::log10(begin_us), width = std::log10(end_us) - begin;
+      if (ticks == 0) continue;
+      chart.box(begin + from * width, begin + to * width, -0.3, std::log10(ticks), color,
+                fmt::format("{}: {} ticks from {:g} to {:g} us", name, ticks, begin_us, end_us));
+    }
+  };
+  draw(trace.wake_latency, 0.06, 0.48, kLeft, "wake latency");
+  draw(trace.step_duration, 0.52, 0.94, kBad, "step duration");
+  return chart.text();
+}
+
 std::string spectrogram_chart(const RunTrace& trace, Wheel wheel, const std::string& file,
                               const SlipDetectorParams& params) {
   const auto index = static_cast<std::size_t>(wheel);

@@ -23,6 +23,8 @@ std::string road_chart(const RunTrace& trace);
 std::string step_histogram(const RunTrace& trace, double period_ms);
 /// Empty where no tick was late at all: a replay that was not paced.
 std::string latency_histogram(const RunTrace& trace);
+/// Both over decades, so that the rare long ones show.
+std::string timing_decades(const RunTrace& trace);
 
 /// The axes around a spectrogram's picture file, with the band of slip and the times of slip.
 std::string spectrogram_chart(const RunTrace& trace, Wheel wheel, const std::string& file,

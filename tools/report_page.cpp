@@ -214,7 +214,8 @@ void write_page(const ReportFolder& folder, const std::string& log, ReplayRun& r
   add_spectrograms(page, folder, run, trace);
   section.begin("Timing", run.source().recorded_ticks() ? "As the recorded run measured it."
                                                         : "As this replay measured it.");
-  page += step_histogram(trace, 1e3 / run.configuration().robot.loop_rate_hz) + latency_histogram(trace);
+  page += step_histogram(trace, 1e3 / run.configuration().robot.loop_rate_hz) + latency_histogram(trace) +
+          timing_decades(trace);
   page += "</main></body></html>\n";
   folder.write_text("index.html", page);
 }

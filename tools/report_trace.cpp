@@ -60,6 +60,8 @@ void RunTrace::add(ReplayRun& run) {
 void RunTrace::add_timing(const LoopTiming& timing) {
   ticks.back().step_ms = 1e3 * to_seconds(timing.step_duration);
   ticks.back().latency_ms = 1e3 * to_seconds(timing.wake_latency);
+  wake_latency.add(timing.wake_latency);
+  step_duration.add(timing.step_duration);
   overruns = timing.overruns;
   recorder_dropped = timing.recorder_dropped;
 }

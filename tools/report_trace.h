@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "daemon/replay_run.h"
+#include "daemon/timing_histogram.h"
 
 namespace hindsight::tools {
 
@@ -50,6 +51,8 @@ struct RunTrace {
   std::array<std::uint64_t, kLineCount> touches{};  ///< presses of each line
   double distance_m = 0.0;                          ///< sum of the estimated speed, either way
   std::optional<double> reached_s;                  ///< when the goal was first reached
+  TimingHistogram wake_latency;
+  TimingHistogram step_duration;
   std::uint32_t overruns = 0;
   std::uint32_t recorder_dropped = 0;
 
