@@ -15,6 +15,7 @@
 #include "tools/bench_dstar.h"
 #include "tools/bench_flow.h"
 #include "tools/bench_motion.h"
+#include "tools/bench_reflex.h"
 #include "tools/bench_robot.h"
 #include "tools/bench_segment.h"
 #include "tools/bench_templates.h"
@@ -133,7 +134,10 @@ void add_bench(CLI::App& app, Run& run) {
   CLI::App* command = app.add_subcommand("bench", "Time each stage and the whole tick, as ratios in one run, at 720 x 480");
   command->add_option("--frames", options->frames, "Folder of pictures to run on, scaled to 720 x 480; default: made ones");
   command->add_flag("--json", options->json, "Print JSON");
-  command->callback([options, &run] { run = [options] { return bench(*options); }; });
+  add_bench_reflex(*command, run);
+  command->callback([command, options, &run] {
+    if (command->get_subcommands().empty()) run = [options] { return bench(*options); };
+  });
 }
 
 }  // namespace hindsight::tools
