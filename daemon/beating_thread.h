@@ -9,8 +9,8 @@
 
 namespace hindsight {
 
-/// Starts a thread of a live run under its name. An exception out of `work` ends that thread alone: it is told, and the
-/// heartbeats know, so that the judge stops the vehicle before it ends the process.
+/// Starts a thread of a live run under its name. An exception out of `work` ends that thread alone: it is
+/// told, and the heartbeats know, so that the judge stops the vehicle before it ends the process.
 std::thread start_beating_thread(ThreadId id, Heartbeats& heartbeats, std::function<void()> work);
 
 }  // namespace hindsight

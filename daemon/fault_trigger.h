@@ -9,8 +9,8 @@ namespace hindsight {
 /// Notices, tick by tick, when a vehicle that might move is stopped by a fault.
 class FaultTrigger {
  public:
-  /// `decided`: the tick's reason; `reflex`: why the reflex stopped since the tick before. Returns the fault once, in the
-  /// tick in which it stops the vehicle; else none.
+  /// `decided`: the tick's reason; `reflex`: why the reflex stopped since the tick before. Returns the fault
+  /// once, in the tick in which it stops the vehicle; else none.
   StopReason see(StopReason decided, StopReason reflex) {
     StopReason fault = StopReason::none;
     if (is_fault(reflex)) fault = reflex;

@@ -44,8 +44,8 @@ class FlightRecorder::Compressor {
     buffer_.resize(tjBufSize(from.width_px, from.height_px, TJSAMP_420));
     unsigned char* jpeg = buffer_.data();
     unsigned long size = buffer_.size();
-    if (tjCompress2(handle_, from.bgr.data(), from.width_px, 0, from.height_px, TJPF_BGR, &jpeg, &size, TJSAMP_420,
-                    quality_, TJFLAG_NOREALLOC) != 0) {
+    if (tjCompress2(handle_, from.bgr.data(), from.width_px, 0, from.height_px, TJPF_BGR, &jpeg, &size,
+                    TJSAMP_420, quality_, TJFLAG_NOREALLOC) != 0) {
       return false;
     }
     to.assign(jpeg, jpeg + size);
@@ -74,7 +74,8 @@ FlightRecorder::~FlightRecorder() { look_after(Time::max()); }
 
 void FlightRecorder::take(const TickRecord& record) {
   remember(record);
-  const StopReason fault = trigger_.see(record.reason, static_cast<StopReason>(record.input.reflex.stop_reason));
+  const StopReason fault =
+      trigger_.see(record.reason, static_cast<StopReason>(record.input.reflex.stop_reason));
   if (fault == StopReason::none || due_fault_ != StopReason::none) return;
   due_fault_ = fault;
   due_ = record.input.now + kAftermath;
@@ -122,13 +123,16 @@ void FlightRecorder::write(StopReason fault) {
   try {
     RunLogWriter log(unfinished);
     log.write_header(header_);
-    if (const std::uint64_t first = ring_.ticks().front().index; first > 0) log.write_gap(0, first, header_.utime_us);
+    if (const std::uint64_t first = ring_.ticks().front().index; first > 0)
+      log.write_gap(0, first, header_.utime_us);
     for (const TickRing::Tick& tick : ring_.ticks()) log.write_whole(ring_.bytes_of(tick));
     // Without waiting for the disk: a slow one would make this thread late.
-    if (!log.close(false)) throw FatalError(kExitIo, unfinished.string() + ": " + std::strerror(log.error_code()));
+    if (!log.close(false))
+      throw FatalError(kExitIo, unfinished.string() + ": " + std::strerror(log.error_code()));
     fs::rename(unfinished, file);
     remove_oldest();
-    say(Severity::notice, "flight recorder: {} ticks before the fault are in {}", ring_.ticks().size(), file.string());
+    say(Severity::notice, "flight recorder: {} ticks before the fault are in {}", ring_.ticks().size(),
+        file.string());
   } catch (const std::exception& error) {
     std::error_code ignored;
     fs::remove(unfinished, ignored);

@@ -14,8 +14,8 @@ enum class ThreadVerdict {
   hung   ///< a thread is silent and may never end
 };
 
-/// Judges the heartbeats, every now and then. A thread is taken to hang only if it is silent in two looks in a row: when
-/// the whole process was stopped for a while (a debugger, SIGSTOP), all are late in the first.
+/// Judges the heartbeats, every now and then. A thread is taken to hang only if it is silent in two looks in
+/// a row: when the whole process was stopped for a while (a debugger, SIGSTOP), all are late in the first.
 class ThreadJudge {
  public:
   ThreadJudge(const Heartbeats& heartbeats, Time limit) : heartbeats_(heartbeats), limit_(limit) {}

@@ -28,7 +28,9 @@ class TickRing {
   void forget_before(Time time);
 
   const std::deque<Tick>& ticks() const { return ticks_; }  ///< oldest first
-  std::span<const std::uint8_t> bytes_of(const Tick& tick) const { return std::span(memory_).subspan(tick.begin, tick.size); }
+  std::span<const std::uint8_t> bytes_of(const Tick& tick) const {
+    return std::span(memory_).subspan(tick.begin, tick.size);
+  }
 
  private:
   std::vector<std::uint8_t> memory_;

@@ -8,8 +8,8 @@
 
 namespace hindsight {
 
-/// Whole events of an LCM event log (event_log_format.h) in memory, numbered on from block to block. No allocation once
-/// it has grown to the largest block.
+/// Whole events of an LCM event log (event_log_format.h) in memory, numbered on from block to block. No
+/// allocation once it has grown to the largest block.
 class EventBlock : public EventSink {
  public:
   std::span<std::uint8_t> append(std::string_view channel, std::int64_t time_us, std::size_t size) override;

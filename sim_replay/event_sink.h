@@ -13,9 +13,10 @@ namespace hindsight {
 class EventSink {
  public:
   virtual ~EventSink() = default;
-  /// Adds an event with `size` bytes of data and returns them for the caller to fill before the next call; empty where
-  /// it is not taken.
-  virtual std::span<std::uint8_t> append(std::string_view channel, std::int64_t time_us, std::size_t size) = 0;
+  /// Adds an event with `size` bytes of data and returns them for the caller to fill before the next call;
+  /// empty where it is not taken.
+  virtual std::span<std::uint8_t> append(std::string_view channel, std::int64_t time_us,
+                                         std::size_t size) = 0;
 };
 
 }  // namespace hindsight

@@ -11,8 +11,7 @@ namespace hindsight {
 namespace {
 
 template <class Message>
-bool append_message(EventSink& log, std::string_view channel, std::int64_t utime_us,
-                    const Message& message) {
+bool append_message(EventSink& log, std::string_view channel, std::int64_t utime_us, const Message& message) {
   const auto out = log.append(channel, utime_us, static_cast<std::size_t>(message.getEncodedSize()));
   if (out.empty()) return false;
   encode_sealed(message, out);
@@ -50,7 +49,7 @@ bool RunLogEncoder::write_tick(const TickInput& tick) {
 }
 
 bool RunLogEncoder::write_published(std::string_view channel, std::int64_t utime_us,
-                                   std::span<const std::uint8_t> bytes) {
+                                    std::span<const std::uint8_t> bytes) {
   const auto out = sink_.append(channel, utime_us, bytes.size());
   std::copy_n(bytes.begin(), out.size(), out.begin());
   return out.size() == bytes.size();

@@ -15,9 +15,9 @@ namespace hindsight {
 
 struct LogMessages;
 
-/// Turns a run into the events of its log: header, then for each tick its samples, its tick event and what it published.
-/// A tick that does not follow the one before by one leaves a gap event. All writers return false where the sink takes
-/// nothing. No allocation once buffers have grown. One thread.
+/// Turns a run into the events of its log: header, then for each tick its samples, its tick event and what it
+/// published. A tick that does not follow the one before by one leaves a gap event. All writers return false
+/// where the sink takes nothing. No allocation once buffers have grown. One thread.
 class RunLogEncoder {
  public:
   explicit RunLogEncoder(EventSink& sink);

@@ -10,8 +10,8 @@
 
 namespace hindsight {
 
-/// A run log as a file. Call flush() after each tick's published messages, so that a log cut off by a crash ends with a
-/// whole tick. In the error state (disk full, ...) nothing more is recorded. One thread.
+/// A run log as a file. Call flush() after each tick's published messages, so that a log cut off by a crash
+/// ends with a whole tick. In the error state (disk full, ...) nothing more is recorded. One thread.
 class RunLogWriter : public RunLogEncoder {
  public:
   /// Creates or replaces the file. Throws FatalError 74 where that fails.

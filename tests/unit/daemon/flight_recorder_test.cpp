@@ -27,7 +27,8 @@ class FlightRecorderTest : public testing::Test {
   FlightRecorderParams params() const { return {.folder = folder_.string(), .seconds = 2.0, .memory_mb = 1}; }
 
   /// Tick `index`, a tenth of a second after the one before.
-  void tick(FlightRecorder& recorder, std::uint64_t index, StopReason reason, StopReason reflex = StopReason::none) {
+  void tick(FlightRecorder& recorder, std::uint64_t index, StopReason reason,
+            StopReason reflex = StopReason::none) {
     TickInput& input = record_.input;
     input.index = index;
     input.now = 100s + index * 100ms;
@@ -93,7 +94,8 @@ TEST_F(FlightRecorderTest, AnOperatorsStopLeavesNothing) {
 
 TEST_F(FlightRecorderTest, AFaultOfAVehicleThatStandsAnywayLeavesNothing) {
   FlightRecorder recorder(params(), {});
-  for (std::uint64_t i = 0; i < 30; ++i) tick(recorder, i, i < 5 ? StopReason::not_armed : StopReason::camera);
+  for (std::uint64_t i = 0; i < 30; ++i)
+    tick(recorder, i, i < 5 ? StopReason::not_armed : StopReason::camera);
   EXPECT_TRUE(files().empty());
 }
 
@@ -122,7 +124,8 @@ TEST_F(FlightRecorderTest, TheEndOrARequestDoesNotWait) {
 }
 
 TEST_F(FlightRecorderTest, KeepsSoManyFilesAndTouchesNoOthers) {
-  for (const char* name : {"fault_20200101T000000Z_camera.lcm", "fault_20200102T000000Z_camera.lcm", "notes.txt"}) {
+  for (const char* name :
+       {"fault_20200101T000000Z_camera.lcm", "fault_20200102T000000Z_camera.lcm", "notes.txt"}) {
     std::fclose(std::fopen((folder_ / name).c_str(), "w"));
   }
   FlightRecorderParams few = params();

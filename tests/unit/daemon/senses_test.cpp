@@ -33,7 +33,8 @@ TEST_F(SensesTest, ABumperIsStuckUntilItWasSeenReleased) {
   edge(3s, true);
   EXPECT_FALSE(at(3s).is_stuck(Line::bumper_left)) << "a touch";
   input_.reports.push_back({4s, Source::gpio, SourceState::failed, 0, ENODEV});
-  EXPECT_TRUE(at(4s).is_stuck(Line::bumper_left)) << "the lines are opened anew: what was seen no longer counts";
+  EXPECT_TRUE(at(4s).is_stuck(Line::bumper_left))
+      << "the lines are opened anew: what was seen no longer counts";
 }
 
 TEST_F(SensesTest, GpsIsLostAfterItsTimeAndOnlyIfItWasThere) {

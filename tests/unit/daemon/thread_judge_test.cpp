@@ -52,7 +52,8 @@ TEST(ThreadJudge, AConsumerThatThrowsEndsInGoodOrder) {
   ThreadJudge judge(heartbeats, 1s);
   TickRecord record;
   {
-    TickConsumer consumer(ThreadId::recorder, 2, heartbeats, [](const TickRecord&) { throw std::bad_alloc(); });
+    TickConsumer consumer(ThreadId::recorder, 2, heartbeats,
+                          [](const TickRecord&) { throw std::bad_alloc(); });
     record.hand_out(1);
     ASSERT_TRUE(consumer.offer(&record));
   }
