@@ -52,7 +52,7 @@ bool RunLogEncoder::write_published(std::string_view channel, std::int64_t utime
                                     std::span<const std::uint8_t> bytes) {
   const auto out = sink_.append(channel, utime_us, bytes.size());
   std::copy_n(bytes.begin(), out.size(), out.begin());
-  return out.size() == bytes.size();
+  return out.data() != nullptr;  // also where there are no bytes
 }
 
 bool RunLogEncoder::write_frame(const Frame& frame, std::int64_t utime_us) {
