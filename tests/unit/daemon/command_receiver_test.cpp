@@ -21,7 +21,6 @@
 namespace hindsight {
 namespace {
 
-const OperatorCommand kStop{Time{}, CommandKind::stop, 0.0, 0.0, 0};
 
 CommandParams listening_on(const std::string& listen) {
   CommandParams params;
@@ -114,7 +113,7 @@ TEST(CommandReceiver, RefusesAKeyThatOthersMayRead) {
 TEST(CommandReceiver, TakesACommandOnceAndCountsTheRest) {
   CommandReceiver receiver(on_loopback());
   Sender sender(receiver.port());
-  const auto packet = encode_command(kStop, unix_now_us(), std::nullopt);
+  const auto packet = encode_command({.kind = CommandKind::arm, .sequence = 1}, unix_now_us(), std::nullopt);
   sender.send(packet);
   sender.send(packet);
   sender.send(std::vector<std::uint8_t>(300, 0x4c));
@@ -122,7 +121,7 @@ TEST(CommandReceiver, TakesACommandOnceAndCountsTheRest) {
   std::vector<OperatorCommand> accepted;
   receiver.service(from_seconds(1.0), -1, accepted);
   ASSERT_EQ(accepted.size(), 1U);
-  EXPECT_EQ(accepted[0].kind, CommandKind::stop);
+  EXPECT_EQ(accepted[0].kind, CommandKind::arm);
   EXPECT_EQ(receiver.count(CommandVerdict::replayed), 1U);
   EXPECT_EQ(receiver.count(CommandVerdict::malformed), 2U);
 }

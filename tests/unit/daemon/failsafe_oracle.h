@@ -24,7 +24,11 @@ class FailsafeOracle {
     for (const OperatorCommand& command : input.commands) {
       remember({event_of(command.kind), input.estop_active, cause});
     }
-    remember({Event::tick_ends, input.estop_active, cause});
+    // What is over by now stops what is armed, and keeps nobody from arming again.
+    const bool was_lost =
+        input.reflex_reason == StopReason::gpio || input.reflex_reason == StopReason::can_bus;
+    const bool over = cause == StopReason::none && was_lost;
+    remember({Event::tick_ends, input.estop_active, over ? input.reflex_reason : cause});
     return history_.back().reason;
   }
 
@@ -51,11 +55,15 @@ class FailsafeOracle {
     };
     const auto in_time = std::find(late_.rbegin(), late_.rend(), false);
     const bool overruns = in_time - late_.rbegin() > params_.max_overruns;
-    const std::pair<bool, StopReason> by_priority[] = {{lost(Source::gpio), StopReason::gpio},
-                                                       {lost(Source::can), StopReason::can_bus},
-                                                       {!input.wheels_fresh, StopReason::wheels},
-                                                       {lost(Source::camera), StopReason::camera},
-                                                       {overruns, StopReason::overruns}};
+    const std::pair<bool, StopReason> by_priority[] = {
+        {lost(Source::gpio), StopReason::gpio},
+        {lost(Source::can), StopReason::can_bus},
+        {!input.wheels_fresh, StopReason::wheels},
+        {lost(Source::camera), StopReason::camera},
+        {input.gps_lost, StopReason::gps},
+        {input.bumper_left_stuck, StopReason::bumper_left_stuck},
+        {input.bumper_right_stuck, StopReason::bumper_right_stuck},
+        {overruns, StopReason::overruns}};
     for (const auto& [holds, reason] : by_priority) {
       if (holds) return reason;
     }

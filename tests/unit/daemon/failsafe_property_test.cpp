@@ -49,6 +49,7 @@ class Story {
         oracle_(params_),
         reflex_(GateParams{}, vehicle_) {
     sources_.fill(SourceState::fresh);
+    board_.last_look_at_lines_ns = looked_.count();
   }
 
   void tell() {
@@ -68,6 +69,9 @@ class Story {
       if (one_in(random_, trouble_)) change_source();
       board_.lines_ok = source(Source::gpio) == SourceState::fresh;
       board_.bus_ok = source(Source::can) == SourceState::fresh;
+      if (!nobody_looks_) board_.last_look_at_lines_ns = (looked_ = now_).count();
+      board_.bus_takes_frames = !bus_is_full_;
+      board_.thread_lost = thread_lost_;
       reflex();
     }
   }
@@ -87,8 +91,11 @@ class Story {
 
   SourceState& source(Source which) { return sources_[static_cast<std::size_t>(which)]; }
   void change_source() {
-    if (one_in(random_, 6)) {
-      wheels_fresh_ = !wheels_fresh_;
+    const std::array<bool*, 8> troubles{&wheels_fresh_,    &wheels_fresh_, &gps_lost_,    &bumper_stuck_[0],
+                                        &bumper_stuck_[1], &nobody_looks_, &bus_is_full_, &thread_lost_};
+    if (one_in(random_, 3)) {
+      bool& trouble = *troubles[random_() % troubles.size()];
+      trouble = !trouble;
       return;
     }
     SourceState& state = sources_[random_() % kSourceCount];
@@ -117,9 +124,10 @@ class Story {
     const std::pair<bool, StopReason> by_priority[] = {
         {active_[static_cast<std::size_t>(Line::estop)] || pressed_at_[1] > decision_.decided_at,
          StopReason::estop},
+        {thread_lost_, StopReason::thread},
         {decision_.reason != StopReason::none, decision_.reason},
-        {!fresh(Source::gpio), StopReason::gpio},
-        {!fresh(Source::can), StopReason::can_bus},
+        {!fresh(Source::gpio) || now_ - looked_ > from_seconds(0.25), StopReason::gpio},
+        {!fresh(Source::can) || bus_is_full_, StopReason::can_bus},
         {now_ - decision_.decided_at > from_seconds(0.25), StopReason::stale_command},
         {!std::isfinite(wanted.left_mps) || !std::isfinite(wanted.right_mps), StopReason::bad_command},
         {pressed_at_[0] > decision_.decided_at, StopReason::bumper},
@@ -136,6 +144,10 @@ class Story {
     const FailsafeInput input{.sources = sources_,
                               .wheels_fresh = wheels_fresh_,
                               .estop_active = touched_[static_cast<std::size_t>(Line::estop)],
+                              .gps_lost = gps_lost_,
+                              .bumper_left_stuck = bumper_stuck_[0],
+                              .bumper_right_stuck = bumper_stuck_[1],
+                              .reflex_reason = some_reflex_reason(),
                               .overrun = one_in(random_, 3),
                               .commands = commands};
     const StopReason before = reason_;
@@ -169,6 +181,11 @@ class Story {
     return commands;
   }
 
+  StopReason some_reflex_reason() {
+    if (!one_in(random_, trouble_)) return StopReason::none;
+    return static_cast<StopReason>(random_() % kStopReasonCount);
+  }
+
   double some_speed_mps() {
     constexpr double kOdd[] = {std::numeric_limits<double>::quiet_NaN(),
                                std::numeric_limits<double>::infinity(),
@@ -190,7 +207,10 @@ class Story {
 
   Time now_ = from_seconds(1.0);
   std::array<SourceState, kSourceCount> sources_{};
-  bool wheels_fresh_ = true;
+  bool wheels_fresh_ = true, gps_lost_ = false, nobody_looks_ = false, bus_is_full_ = false,
+       thread_lost_ = false;
+  std::array<bool, 2> bumper_stuck_{};
+  Time looked_ = now_;  ///< at the lines
   std::array<bool, kLineCount> active_{};
   std::array<bool, kLineCount> touched_{};  ///< since the last tick
   std::array<Time, 2> pressed_at_{};        ///< a bumper, the e-stop
@@ -210,11 +230,12 @@ TEST(FailsafeProperty, NoStoryMovesAVehicleThatMustStand) {
       << "stories in which nothing drives show nothing";
   for (const StopReason reason :
        {StopReason::not_armed, StopReason::operator_stop, StopReason::estop, StopReason::camera,
-        StopReason::can_bus, StopReason::wheels, StopReason::gpio, StopReason::overruns}) {
+        StopReason::can_bus, StopReason::wheels, StopReason::gpio, StopReason::overruns, StopReason::gps,
+        StopReason::bumper_left_stuck, StopReason::bumper_right_stuck}) {
     EXPECT_GT(tally.loop[static_cast<std::size_t>(reason)], kStories / 100U) << name_of(reason);
   }
-  for (const StopReason reason :
-       {StopReason::stale_command, StopReason::bumper, StopReason::bad_command, StopReason::watching}) {
+  for (const StopReason reason : {StopReason::stale_command, StopReason::bumper, StopReason::bad_command,
+                                  StopReason::watching, StopReason::thread}) {
     EXPECT_GT(tally.gate[static_cast<std::size_t>(reason)], kStories / 100U) << name_of(reason);
   }
 }
