@@ -101,6 +101,7 @@ Localisation::FixReport Localisation::correct(const GpsFix& fix) {
   if (!earth_has_origin_) earth_.set_origin(fix);
   earth_has_origin_ = true;
   const Measurement measured = measurement_of(fix, age_s);
+  last_fix_ = fix.stamp;
   if (estimate_.has_global_origin) {
     report = gate(measured);
     if (!report.accepted) ++estimate_.fixes_rejected;
@@ -117,9 +118,13 @@ Localisation::FixReport Localisation::correct(const GpsFix& fix) {
 
 Localisation::Measurement Localisation::measurement_of(const GpsFix& fix, double age_s) const {
   const double told_m = fix.horizontal_sigma_m > 0.0 ? fix.horizontal_sigma_m : params_.gps_untold_sigma_m;
+  const double sigma_m = std::max(told_m, params_.gps_least_sigma_m);
+  const double apart_s = to_seconds(fix.stamp - last_fix_);
+  const double alike = apart_s > 0.0 ? 2.0 * params_.gps_correlation_s / apart_s : 1.0;
   return {.p_E_m = earth_.east_north(fix.latitude_deg, fix.longitude_deg),
           .predicted_p_W_m = filter_.pose() * Point2{-age_s * estimate_.v_mps, 0.0},
-          .sigma_m = std::max(told_m, params_.gps_least_sigma_m)};
+          .sigma_m = sigma_m,
+          .news_sigma_m = sigma_m * std::sqrt(std::max(1.0, alike))};
 }
 
 /// W's axes are known; the fix says where its origin lies, and its error is all the doubt there is about
@@ -141,7 +146,7 @@ bool Localisation::anchor_track(const Measurement& measured) {
              params_.alignment_spacing_m) {
     return false;
   }
-  add_to_track(measured);
+  add_to_track(measured, measured.news_sigma_m);
   if (track_gives_heading(params_.alignment_sigma_rad)) {
     X_WE_ = track_.X_WE();
     filter_.add_frame_doubt(position(filter_.pose()) - track_.centre_W_m(),
@@ -162,7 +167,7 @@ Localisation::FixReport Localisation::gate(const Measurement& measured) {
   report.mahalanobis = filter_.mahalanobis(offset_m, squared(measured.sigma_m));
   report.accepted = report.mahalanobis <= params_.gate_distance;
   if (report.accepted) {
-    filter_.measure_position(offset_m, squared(measured.sigma_m));
+    filter_.measure_position(offset_m, squared(measured.news_sigma_m));
     track_.clear();
   } else {
     report.recovered = report.accepted = recover(measured);
@@ -177,7 +182,7 @@ bool Localisation::recover(const Measurement& measured) {
   const double gone_m = distance(measured.p_E_m, last_on_track_.p_E_m);
   const double sigma_m = std::hypot(measured.sigma_m, last_on_track_.sigma_m);
   if (std::abs(driven_m - gone_m) > params_.gate_distance * sigma_m) track_.clear();
-  add_to_track(measured);
+  add_to_track(measured, measured.sigma_m);  // so few that they share their error
   if (track_.count() < params_.recovery_fixes) return false;
 
   const Pose2 X_WB = filter_.pose();
@@ -201,8 +206,8 @@ bool Localisation::recover(const Measurement& measured) {
   return true;
 }
 
-void Localisation::add_to_track(const Measurement& measured) {
-  track_.add(measured.predicted_p_W_m, measured.p_E_m, measured.sigma_m);
+void Localisation::add_to_track(const Measurement& measured, double sigma_m) {
+  track_.add(measured.predicted_p_W_m, measured.p_E_m, sigma_m);
   last_on_track_ = measured;
 }
 

@@ -54,7 +54,7 @@ struct PoseEstimate {
 /// - otherwise a heading cannot be had from GPS until the vehicle has moved. Fixes are collected without
 /// effect on
 ///   X_WB until the driven track, laid over them (TrackAlignment), gives the direction of east in W within
-///   alignment_sigma_rad (some 15 m of way at 2.5 m of GPS noise and 1 Hz). W's axes stay those of the start,
+///   alignment_sigma_rad (some 45 m of way at 2 m of GPS error and 1 Hz). W's axes stay those of the start,
 ///   east is heading_WE_rad off its x axis, and the fit's uncertainty goes into the covariance.
 /// Without GPS W stays anchored at the start, and the covariance tells how far odometry has strayed.
 ///
@@ -63,8 +63,10 @@ struct PoseEstimate {
 /// within recovery_heading_sigma_rad, and is doubted by as much otherwise. That is the only jump;
 /// FixReport::recovered tells it.
 ///
-/// GPS errors are taken as white, which they are not: the covariance is optimistic about a constant offset.
-/// Deterministic, no allocation after construction, one thread at a time.
+/// GPS errors last (gps_correlation_s): each fix is gated by its own standard deviation, but weighs in the
+/// filter, and in the driven track, as one of a stream of white noise with the same spectral density at low
+/// frequencies, sigma sqrt(2 tau / dt). Deterministic, no allocation after construction, one thread at a
+/// time.
 class Localisation {
  public:
   Localisation(const LocalisationParams& params, const VehicleParams& vehicle);
@@ -93,7 +95,8 @@ class Localisation {
   struct Measurement {
     Point2 p_E_m;
     Point2 predicted_p_W_m;
-    double sigma_m = 0.0;
+    double sigma_m = 0.0;       ///< of this fix
+    double news_sigma_m = 0.0;  ///< of what it adds to those before: their errors are much the same
   };
 
   Motion motion_of(const OdometryInput& input, double dt_s);
@@ -102,7 +105,7 @@ class Localisation {
   bool anchor_track(const Measurement& measured);
   FixReport gate(const Measurement& measured);
   bool recover(const Measurement& measured);
-  void add_to_track(const Measurement& measured);
+  void add_to_track(const Measurement& measured, double sigma_m);
   bool track_gives_heading(double within_sigma_rad) const;
   void publish();
 
@@ -112,6 +115,7 @@ class Localisation {
   GeodeticFrame earth_;  ///< E, with its origin at the first fix
   bool started_ = false;
   bool earth_has_origin_ = false;
+  Time last_fix_{};  ///< its stamp
   Pose2 X_WE_;
   TrackAlignment track_;  ///< of the fixes that wait for W's anchor, or of those rejected in a row
   Measurement last_on_track_;

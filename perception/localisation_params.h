@@ -21,9 +21,10 @@ struct LocalisationParams {
   double gyro_bias_walk_radps = 5e-5;
   double gps_least_sigma_m = 1.0;
   double gps_untold_sigma_m = 5.0;
+  double gps_correlation_s = 30.0;
   double gate_distance = 3.72;
   double max_fix_age_s = 2.0;
-  double alignment_sigma_rad = 0.15;
+  double alignment_sigma_rad = 0.25;
   double alignment_spacing_m = 0.5;
   int recovery_fixes = 10;
   double recovery_heading_sigma_rad = 0.3;
@@ -58,6 +59,10 @@ struct LocalisationParams {
           "no fix is believed to be better than this standard deviation [m]");
     param("gps_untold_sigma_m", gps_untold_sigma_m, Range{0.01, 100.0},
           "standard deviation of a fix whose receiver does not tell one [m]");
+    param("gps_correlation_s", gps_correlation_s, Range{0.0, 3600.0},
+          "how long a fix's error lasts (satellites, atmosphere): fixes that follow one another more closely "
+          "tell "
+          "little that is new; 0: white noise [s]");
     param("gate_distance", gate_distance, Range{1.0, 100.0},
           "Mahalanobis distance of the innovation beyond which a fix is rejected; 3.72 passes 99.9 % "
           "(chi-square, 2)");

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 #include <random>
+#include <utility>
 
 namespace hindsight {
 namespace {
@@ -19,8 +20,14 @@ constexpr double kTick_s = 0.1;
 constexpr double kGpsSigma_m = 1.5;
 constexpr double kBias_radps = 0.015;
 
-LocalisationParams with_heading(bool known) {
+/// Fixes whose errors do not last.
+LocalisationParams white() {
   LocalisationParams params;
+  params.gps_correlation_s = 0.0;
+  return params;
+}
+LocalisationParams with_heading(bool known) {
+  LocalisationParams params = white();
   params.heading_known = known;
   return params;
 }
@@ -65,8 +72,9 @@ class Drive {
   GpsFix fix() {
     GpsFix fix = true_fix();
     double up = 0.0;
-    earth_.Reverse(X_EB.x_m + jump_m + kGpsSigma_m * normal(), X_EB.y_m + kGpsSigma_m * normal(), 0.0,
-                   fix.latitude_deg, fix.longitude_deg, up);
+    wander();
+    earth_.Reverse(X_EB.x_m + jump_m + offset_m_.x_m, X_EB.y_m + offset_m_.y_m, 0.0, fix.latitude_deg,
+                   fix.longitude_deg, up);
     return fix;
   }
   GpsFix true_fix() const {
@@ -99,6 +107,14 @@ class Drive {
 
  private:
   double normal() { return normal_(random_); }
+  /// The error of a fix a second after the last: Gauss-Markov, or white.
+  void wander() {
+    const double kept = params_.gps_correlation_s > 0.0 ? std::exp(-1.0 / params_.gps_correlation_s) : 0.0;
+    const double sigma_m = kGpsSigma_m * std::sqrt(1.0 - kept * kept);
+    const bool first = std::exchange(wandered_, true) == false;
+    offset_m_.x_m = first ? kGpsSigma_m * normal() : kept * offset_m_.x_m + sigma_m * normal();
+    offset_m_.y_m = first ? kGpsSigma_m * normal() : kept * offset_m_.y_m + sigma_m * normal();
+  }
   double wheel_noise(double speed_mps) {
     return params_.wheel_noise_m * std::sqrt(std::abs(speed_mps) / kTick_s) * normal();
   }
@@ -114,19 +130,21 @@ class Drive {
   std::normal_distribution<double> normal_{0.0, 1.0};
   int ticks_ = 0;
   double phase_ = 0.0;
+  Point2 offset_m_;  ///< of the fixes
+  bool wandered_ = false;
 };
 
 /// Mean of the normalised estimation error squared over seeded runs; chi-square says how far from 3 it may
 /// be.
-double mean_nees(bool heading_known, bool gyro, double dropout_s) {
+double mean_nees(LocalisationParams params, bool gyro, double dropout_s) {
   constexpr int kRuns = 200;
   double sum = 0.0;
   for (unsigned run = 0; run < kRuns; ++run) {
     std::mt19937 random(1000 + run);
     const double doubt = LocalisationParams{}.initial_heading_sigma_rad;
-    const double heading = heading_known ? std::normal_distribution<double>(0.0, doubt)(random)
-                                         : std::uniform_real_distribution<double>(-3.0, 3.0)(random);
-    Drive drive(with_heading(heading_known), {20.0, -30.0, heading}, run);
+    const double heading = params.heading_known ? std::normal_distribution<double>(0.0, doubt)(random)
+                                                : std::uniform_real_distribution<double>(-3.0, 3.0)(random);
+    Drive drive(params, {20.0, -30.0, heading}, run);
     drive.gyro = gyro;
     drive.curves(100.0);
     drive.gps = false;
@@ -140,22 +158,46 @@ double mean_nees(bool heading_known, bool gyro, double dropout_s) {
 constexpr double kNees = 3.0, kNeesBound = 0.57;
 
 TEST(Localisation, IsConsistentWithKnownHeading) {
-  EXPECT_NEAR(mean_nees(true, true, 0.0), kNees, kNeesBound);
+  EXPECT_NEAR(mean_nees(with_heading(true), true, 0.0), kNees, kNeesBound);
 }
 TEST(Localisation, IsConsistentThroughADropout) {
-  EXPECT_NEAR(mean_nees(true, true, 60.0), kNees, kNeesBound);
+  EXPECT_NEAR(mean_nees(with_heading(true), true, 60.0), kNees, kNeesBound);
 }
-TEST(Localisation, IsConsistentWithoutGyro) { EXPECT_NEAR(mean_nees(true, false, 0.0), kNees, kNeesBound); }
+TEST(Localisation, IsConsistentWithoutGyro) {
+  EXPECT_NEAR(mean_nees(with_heading(true), false, 0.0), kNees, kNeesBound);
+}
 
 TEST(Localisation, IsNeverTooSureWithHeadingFromDriving) {
   // The doubt of the driven track is counted whole though fitting it takes up a part: at or below 3.
-  const double nees = mean_nees(false, true, 0.0);
+  const double nees = mean_nees(with_heading(false), true, 0.0);
   EXPECT_LT(nees, kNees + kNeesBound);
   EXPECT_GT(nees, 1.0);
 }
 
+// Errors that last are less than what white noise with their low frequencies would be: never too sure.
+TEST(Localisation, IsNotTooSureWhereErrorsOfFixesLast) {
+  for (const double lasting_s : {10.0, 30.0, 60.0}) {
+    LocalisationParams params = with_heading(true);
+    params.gps_correlation_s = lasting_s;
+    const double nees = mean_nees(params, true, 0.0);
+    EXPECT_LT(nees, kNees + kNeesBound) << lasting_s << " s";
+    EXPECT_GT(nees, 1.0) << lasting_s << " s";
+  }
+}
+
+TEST(Localisation, AHeadingFromFixesWhoseErrorsLastTakesLonger) {
+  double squares = 0.0;
+  for (unsigned run = 0; run < 100; ++run) {
+    Drive drive({}, {0.0, 0.0, 0.3}, 100 + run);
+    drive.straight(150.0);
+    ASSERT_TRUE(drive.localisation.estimate().has_global_origin) << run;
+    squares += std::pow(drive.error().z(), 2);
+  }
+  EXPECT_LT(std::sqrt(squares / 100.0), 0.15);
+}
+
 TEST(Localisation, WithoutGpsRunsFromWhereItStarted) {
-  Drive drive(LocalisationParams{}, {0.0, 0.0, 0.0}, 1);
+  Drive drive(white(), {0.0, 0.0, 0.0}, 1);
   drive.gps = false;
   drive.stand(20.0);
   drive.straight(50.0);
@@ -182,7 +224,7 @@ TEST(Localisation, FirstFixLeavesThePoseAsItIs) {
 }
 
 TEST(Localisation, FindsItsHeadingByDrivingWithoutAJump) {
-  Drive drive(LocalisationParams{}, {5.0, 6.0, 2.5}, 3);
+  Drive drive(white(), {5.0, 6.0, 2.5}, 3);
   drive.stand(10.0);
   EXPECT_FALSE(drive.localisation.estimate().has_global_origin);
   double worst_step_m = 0.0;
@@ -201,7 +243,7 @@ TEST(Localisation, FindsItsHeadingByDrivingWithoutAJump) {
 }
 
 TEST(Localisation, AnOutlierOnTheFirstTrackDoesNotSpoilTheHeading) {
-  Drive drive(LocalisationParams{}, {0.0, 0.0, -1.0}, 4);
+  Drive drive(white(), {0.0, 0.0, -1.0}, 4);
   drive.straight(5.0);
   drive.jump_m = 60.0;
   drive.straight(2.0);
@@ -267,22 +309,26 @@ TEST(Localisation, DoesNotFollowRejectedFixesThatDisagree) {
   EXPECT_LT(drive.position_error_m(), 4.0);
 }
 
+double position_doubt_m2(const Drive& drive) {
+  return drive.localisation.estimate().covariance.topLeftCorner<2, 2>().trace();
+}
+
 TEST(Localisation, DropoutGrowsDoubtAndGpsCutsItAgain) {
   Drive drive(with_heading(true), {0.0, 0.0, 0.0}, 11);
   drive.curves(60.0);
-  const double with_gps = drive.localisation.estimate().covariance(0, 0);
+  const double with_gps = position_doubt_m2(drive);
   drive.gps = false;
   drive.curves(120.0);
-  const double without = drive.localisation.estimate().covariance(0, 0);
+  const double without = position_doubt_m2(drive);
   EXPECT_GT(without, 1.5 * with_gps);
   EXPECT_LT(drive.position_error_m(), 10.0);
   drive.gps = true;
   drive.curves(30.0);
-  EXPECT_LT(drive.localisation.estimate().covariance(0, 0), without);
+  EXPECT_LT(position_doubt_m2(drive), without);
 }
 
 TEST(Localisation, GyroBiasConvergesStandingAndDriving) {
-  Drive standing(LocalisationParams{}, {0.0, 0.0, 0.0}, 12);
+  Drive standing(white(), {0.0, 0.0, 0.0}, 12);
   standing.stand(10.0);
   EXPECT_NEAR(standing.localisation.estimate().gyro_bias_radps, kBias_radps, 0.002);
   Drive driving(with_heading(true), {0.0, 0.0, 0.0}, 13);
@@ -291,7 +337,7 @@ TEST(Localisation, GyroBiasConvergesStandingAndDriving) {
 }
 
 TEST(Localisation, HandTurningDoesNotPassForBias) {
-  Drive drive(LocalisationParams{}, {0.0, 0.0, 0.0}, 14);
+  Drive drive(white(), {0.0, 0.0, 0.0}, 14);
   drive.stand(10.0);
   const double bias = drive.localisation.estimate().gyro_bias_radps;
   for (int i = 0; i < 30; ++i) {
@@ -315,7 +361,7 @@ TEST(Localisation, SlippingWheelsAreDoubted) {
 }
 
 TEST(Localisation, StandsWithGrowingDoubtWithoutWheels) {
-  Drive drive(LocalisationParams{}, {0.0, 0.0, 0.0}, 16);
+  Drive drive(white(), {0.0, 0.0, 0.0}, 16);
   drive.gps = drive.wheels = drive.gyro = false;
   drive.straight(4.0);
   const PoseEstimate& e = drive.localisation.estimate();
