@@ -26,7 +26,8 @@ std::optional<Point2> RoadGuide::goal_W(const Pose2& X_WB, const RoadOnGround& r
   if (held_W_ && recovers(behaviour)) return held_W_;
   const std::optional<Point2> ahead_B = point_ahead_B(road, look_ahead_m_);
   if (!ahead_B) {
-    held_W_.reset();
+    // Back to where it was last seen: a robot that has backed up and turned away may look past the road.
+    if (behaviour == Behaviour::arrived) held_W_.reset();
     return held_W_;
   }
   const Point2 ahead_W = X_WB * *ahead_B;

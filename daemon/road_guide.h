@@ -18,8 +18,8 @@ class RoadGuide {
  public:
   explicit RoadGuide(double look_ahead_m) : look_ahead_m_(look_ahead_m) {}
 
-  /// Empty where no road is seen: the robot stops. `mission_W`: the operator's goal, which takes over once it
-  /// is near.
+  /// Where the road is lost, the last goal stays until the robot has arrived there; then, and before any road
+  /// was seen, empty: the robot stops. `mission_W`: the operator's goal, which takes over once it is near.
   std::optional<Point2> goal_W(const Pose2& X_WB, const RoadOnGround& road,
                                const std::optional<Point2>& mission_W, Behaviour behaviour);
 

@@ -37,11 +37,21 @@ TEST(RoadGuide, DoesNotDisturbARobotThatBacksUp) {
   EXPECT_EQ(guide.goal_W({-2.0, 0.0, 0.0}, straight(1.0), {}, Behaviour::back_up)->x_m, first->x_m);
 }
 
-TEST(RoadGuide, NoRoadNoGoal) {
+TEST(RoadGuide, NoGoalBeforeARoadWasSeen) {
   RoadGuide guide(5.0);
-  guide.goal_W({}, straight(0.0), {}, Behaviour::follow);
-  EXPECT_FALSE(guide.goal_W({}, RoadOnGround{}, {}, Behaviour::follow));
-  EXPECT_FALSE(guide.goal_W({}, RoadOnGround{}, Point2{100.0, 0.0}, Behaviour::follow));
+  EXPECT_FALSE(guide.goal_W({}, RoadOnGround{}, {}, Behaviour::idle));
+  EXPECT_FALSE(guide.goal_W({}, RoadOnGround{}, Point2{100.0, 0.0}, Behaviour::idle));
+}
+
+TEST(RoadGuide, ALostRoadIsLookedForWhereItWasLastSeenAndNoFarther) {
+  RoadGuide guide(5.0);
+  const auto last = guide.goal_W({}, straight(0.0), {}, Behaviour::follow);
+  const Pose2 turned_away{-0.6, 0.0, -0.7};
+  EXPECT_EQ(guide.goal_W(turned_away, RoadOnGround{}, {}, Behaviour::turn_away)->x_m, last->x_m);
+  EXPECT_EQ(guide.goal_W(turned_away, RoadOnGround{}, {}, Behaviour::follow)->x_m, last->x_m);
+  EXPECT_FALSE(guide.goal_W({4.5, 0.0, 0.0}, RoadOnGround{}, {}, Behaviour::arrived));
+  EXPECT_FALSE(guide.goal_W({4.5, 0.0, 0.0}, RoadOnGround{}, {}, Behaviour::idle));
+  EXPECT_TRUE(guide.goal_W({4.5, 0.0, 0.0}, straight(0.0), {}, Behaviour::idle)) << "found again";
 }
 
 TEST(RoadGuide, TheOperatorsGoalTakesOverOnceItIsNear) {
