@@ -79,7 +79,8 @@ CommandVerdict CommandDecoder::decode(std::span<const std::uint8_t> packet, Time
 }
 
 CommandVerdict CommandDecoder::judge_age(std::int64_t sent_us, std::int64_t sequence, std::int64_t now_us) {
-  if (sent_us < now_us - window_us_ || sent_us > now_us + window_us_) return CommandVerdict::untimely;
+  const bool timely = sent_us >= now_us - window_us_ && sent_us <= now_us + window_us_;
+  if (!timely || sequence > now_us + window_us_) return CommandVerdict::untimely;
   if (last_sequence_ > now_us + window_us_) last_sequence_ = 0;  // our clock was set back since
   return sequence > last_sequence_ ? CommandVerdict::accepted : CommandVerdict::replayed;
 }

@@ -64,10 +64,11 @@ void run(Bytes bytes) {
   static const std::string key = key_file();
   std::int64_t last = 0;
   for (const OperatorCommand& command : Line("").send_all(bytes)) {
-    require(command.sequence > last, "no sequence number is taken twice");
+    const bool stop = command.kind == CommandKind::stop;  // which is obeyed whenever it comes
+    require(stop || command.sequence > last, "no sequence number is taken twice");
     require(command.kind <= CommandKind::save_model, "the kind is known");
     require(std::isfinite(command.a) && std::isfinite(command.b), "numbers are finite");
-    last = command.sequence;
+    if (!stop) last = command.sequence;
   }
   require(Line(key).send_all(bytes).empty(), "nothing passes without the key");
 }
