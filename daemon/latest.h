@@ -11,8 +11,9 @@
 namespace hindsight {
 
 /// The latest value of something that one thread writes and others read: a sequence lock. Neither side ever waits
-/// for a mutex or allocates; a reader that meets a write simply reads again. One writer thread. No fences, which the thread
-/// sanitizer does not know: whoever reads a word of a write sees its odd number, too, as each word is released.
+/// for a mutex or allocates; a reader that meets a write simply reads again. One writer thread. No fences, which the
+/// thread sanitizer does not know: whoever reads a word of a write sees its odd number, too, as each word is
+/// released.
 template <typename T>
 class Latest {
   static_assert(std::is_trivially_copyable_v<T>);
