@@ -17,7 +17,9 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "config/crc32.h"
 #include "config/exit_code.h"
 
 namespace hindsight::fuzz {
@@ -41,6 +43,18 @@ inline void require(bool holds, const char* what) {
   if (holds) return;
   std::fprintf(stderr, "does not hold: %s\n", what);
   std::abort();
+}
+
+/// Calls check(bytes) with the input, then with a right checksum behind it: what stands behind the check of a
+/// saved file is reached.
+template <class Check>
+void as_it_is_and_sealed(Bytes bytes, Check check) {
+  check(bytes);
+  std::vector<std::uint8_t> sealed(bytes.begin(), bytes.end());
+  const std::uint32_t checksum = crc32(sealed);
+  for (unsigned shift = 0; shift < 32; shift += 8)
+    sealed.push_back(static_cast<std::uint8_t>(checksum >> shift));
+  check(sealed);
 }
 
 /// Takes the input apart; beyond its end there are zeros.

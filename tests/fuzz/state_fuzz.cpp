@@ -3,9 +3,6 @@
 //
 // The file in which gyro bias and last trajectory outlive the process: as it is, and once more with a right
 // checksum, so that what stands behind it is reached.
-#include <vector>
-
-#include "config/crc32.h"
 #include "daemon/saved_state.h"
 #include "fuzz.h"
 
@@ -19,19 +16,10 @@ void decode(Bytes bytes) {
           "what was accepted can be saved and read again");
 }
 
-void run(Bytes bytes) {
-  decode(bytes);
-  std::vector<std::uint8_t> sealed(bytes.begin(), bytes.end());
-  const std::uint32_t checksum = crc32(sealed);
-  for (unsigned shift = 0; shift < 32; shift += 8)
-    sealed.push_back(static_cast<std::uint8_t>(checksum >> shift));
-  decode(sealed);
-}
-
 }  // namespace
 }  // namespace hindsight::fuzz
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  hindsight::fuzz::run({data, size});
+  hindsight::fuzz::as_it_is_and_sealed({data, size}, hindsight::fuzz::decode);
   return 0;
 }
