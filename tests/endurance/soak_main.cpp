@@ -10,6 +10,7 @@
 #include <chrono>
 #include <cstdio>
 
+#include "config/exit_code.h"
 #include "fault_schedule.h"
 #include "faulty_drive.h"
 #include "process_vitals.h"
@@ -96,10 +97,14 @@ int soak(const Job& job) {
 int main(int argc, char** argv) {
   hindsight::endurance::Job job;
   CLI::App app("Drive through faults for some minutes, and watch what the process uses");
-  app.add_option("--minutes", job.minutes, "How long; at least two drives")->check(CLI::PositiveNumber);
+  app.add_option("--minutes", job.minutes, "How long; at least two drives")->check(CLI::Range(0.01, 1e6));
   app.add_option("--seed", job.seed, "Of the first drive; each next one counts up")->capture_default_str();
   app.add_option("course", job.course, "Course file")->required();
-  CLI11_PARSE(app, argc, argv);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? hindsight::kExitOk : hindsight::kExitUsage;
+  }
   try {
     return hindsight::endurance::soak(job);
   } catch (const std::exception& error) {
