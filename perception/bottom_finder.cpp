@@ -110,25 +110,27 @@ void BottomFinder::walk_band(int band) {
   }
 }
 
+inline bool BottomFinder::stands_up(const Walk& walk, const GroundPatch& contact) const {
+  return walk.bad_px + walk.lethal_px >= params_.min_run_px * strip_px_ &&
+         static_cast<float>(walk.lead_px) >= contact.min_lead_px;
+}
+
 /// One strip goes up by one band. Returns its good pixels that lie on the ground here.
 inline int BottomFinder::step(int strip, int band, bool is_ground, const Counts& counts) {
   Walk& walk = walks_[static_cast<std::size_t>(strip)];
   const int obstacle_px = counts.bad + counts.lethal;
   const bool obstacle_here = obstacle_px > 0 && obstacle_px >= counts.good;
-  const int min_run_px = params_.min_run_px * strip_px_;
 
   if (!walk.in_obstacle) {
     const int good_px = is_ground ? counts.good : 0;
-    if (obstacle_here) {
-      const bool first = walk.bad_px + walk.lethal_px == 0;
-      if (first && !is_ground) return 0;  // sky, or ground too far to tell
-      if (first) walk.contact_band = band;
-      walk.bad_px += counts.bad;
-      walk.lethal_px += counts.lethal;
-      walk.in_obstacle = walk.bad_px + walk.lethal_px >= min_run_px;
-    } else if (counts.good > 0) {
-      walk = {};  // a speck
-    }
+    const bool first = walk.bad_px + walk.lethal_px == 0;
+    if (first && !(obstacle_here && is_ground)) return good_px;  // else: sky, or ground too far to tell
+    if (first) walk.contact_band = band;
+    walk.bad_px += counts.bad;
+    walk.lethal_px += counts.lethal;
+    walk.lead_px += obstacle_px - counts.good;
+    walk.in_obstacle = stands_up(walk, patches_.at(strip, walk.contact_band));
+    if (walk.lead_px < 0) walk = {};
     return good_px;
   }
   walk.bad_px += counts.bad;

@@ -13,6 +13,7 @@ struct BottomFinderParams {
   int strip_px = 2;
   double step_m = 0.1;
   int min_run_px = 3;
+  double min_height_m = 0.3;
   int ground_resumes_px = 12;
   std::string weighting = "area";
   std::string unknown = "nothing";
@@ -27,6 +28,8 @@ struct BottomFinderParams {
           "length of ground judged together, and spacing of votes in depth [m]");
     param("min_run_px", min_run_px, Range{1, 50},
           "obstacle pixels above one another that make an obstacle [px]");
+    param("min_height_m", min_height_m, Range{0.0, 10.0},
+          "what looks lower than this lies flat and is no obstacle [m]; 0: anything counts, the thesis");
     param("ground_resumes_px", ground_resumes_px, Range{0, 500},
           "good pixels above one another that end an obstacle: ground is seen again behind it [px]; 0: "
           "never, the thesis");

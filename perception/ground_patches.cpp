@@ -115,6 +115,7 @@ class Builder {
         between(upper_edge(ground_, left, band.begin), upper_edge(ground_, right, band.begin), 0.5F);
     place_samples(patch, near, far);
     patch.contact = near;
+    patch.min_lead_px = static_cast<float>(params_.min_height_m * camera_.fy_px / depth_m(near) * columns);
     if (params_.weighting == "pixels") {
       weigh_pixels(patch, columns);
     } else {
@@ -134,6 +135,10 @@ class Builder {
           between(near, far, (static_cast<float>(k) + 0.5F) / static_cast<float>(patch.sample_count)));
   }
 
+  double depth_m(GroundPoint p) const {
+    return camera_.R_BC.col(2).dot(Eigen::Vector3d(p.x_m, p.y_m, 0.0) - camera_.p_BC_m);
+  }
+
   void weigh_pixels(GroundPatch& patch, int columns) const {
     patch.ground_weight = 1.0F / static_cast<float>(patch.sample_count);
     patch.obstacle_weight = 1.0F;
@@ -143,13 +148,13 @@ class Builder {
   /// pixel_m2: ground that one pixel shows.
   void weigh_area(GroundPatch& patch, float pixel_m2, int columns) const {
     const Eigen::Vector3d p_BP_m(patch.contact.x_m, patch.contact.y_m, 0.0);
-    const double depth_m = camera_.R_BC.col(2).dot(p_BP_m - camera_.p_BC_m);
+    const double depth = depth_m(patch.contact);
     const double face_m2 =
-        depth_m * depth_m / (camera_.fx_px * camera_.fy_px);  // of a pixel, upright at the contact
+        depth * depth / (camera_.fx_px * camera_.fy_px);  // of a pixel, upright at the contact
     const double per_m2 = std::min(1.0, params_.sure_range_m / p_BP_m.norm()) / (cell_m_ * cell_m_);
     patch.ground_weight = static_cast<float>(pixel_m2 * per_m2 / patch.sample_count);
     patch.obstacle_weight = static_cast<float>(face_m2 * per_m2);
-    patch.max_obstacle_px = static_cast<float>(params_.max_obstacle_m * camera_.fy_px / depth_m * columns);
+    patch.max_obstacle_px = static_cast<float>(params_.max_obstacle_m * camera_.fy_px / depth * columns);
   }
 
   const BottomFinderParams& params_;

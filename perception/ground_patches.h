@@ -35,6 +35,7 @@ struct GroundPatch {
   float ground_weight = 0.0F;      ///< of one good pixel, for each sample
   float obstacle_weight = 0.0F;    ///< of one obstacle pixel of an obstacle that stands here
   float max_obstacle_px = 0.0F;    ///< obstacle pixels that count, of such an obstacle
+  float min_lead_px = 0.0F;        ///< by how many there must be more of them than good ones
   /// Of such an obstacle: the near edge, since its lowest row is the first whose middle it covers.
   GroundPoint contact;
 };

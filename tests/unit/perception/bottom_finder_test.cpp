@@ -75,6 +75,7 @@ BottomFinderParams thesis() {
   BottomFinderParams params;
   params.strip_px = 1;
   params.min_run_px = 1;
+  params.min_height_m = 0.0;
   params.ground_resumes_px = 0;
   params.weighting = "pixels";
   return params;
@@ -188,11 +189,43 @@ TEST(BottomFinder, SpecksAreNoObstacles) {
   EXPECT_EQ(std::ranges::count(bottom.contact_row_px(), -1.0F), std::ssize(bottom.contact_row_px()));
 }
 
+TEST(BottomFinder, WhatLiesFlatIsNoObstacle) {
+  for (const double range_m : {3.0, 6.0, 12.0}) {
+    Scene scene;
+    scene.sky(kUnknown);
+    const auto row = [&](double x_m) { return int(std::lround(scene.camera.project({x_m, 0, 0})->y_px)); };
+    scene.fill(300, 420, row(range_m + 0.5), row(range_m), kLethal);  // a shadow, half a metre long
+    BottomFinder default_finder = finder(scene);
+    EXPECT_EQ(sum_of(default_finder.find(scene.labels), kLethal).weight, 0) << range_m;
+    BottomFinderParams params;
+    params.min_run_px = 1;
+    params.min_height_m = 0.0;
+    BottomFinder anything = finder(scene, params);
+    EXPECT_GT(sum_of(anything.find(scene.labels), kLethal).weight, 0) << range_m;
+    scene.stand(range_m, 0, 0.4, 0.5, kLethal);
+    BottomFinder bottom = finder(scene);
+    EXPECT_NEAR(sum_of(bottom.find(scene.labels), kLethal).x_m, range_m, 0.03 * range_m);
+  }
+}
+
+TEST(BottomFinder, SpeckledGroundBeforeATreeDoesNotBringItNearer) {
+  std::mt19937 random(5);  // seed 5
+  Scene scene;
+  scene.sky(kUnknown);
+  for (TerrainClass& label : scene.labels)
+    if (label == kGood && random() % 4 == 0) label = kLethal;
+  scene.stand(9.0, 0, 0.5, 3.0, kLethal);
+  BottomFinder bottom = finder(scene);
+  const Sum tree = sum_of(bottom.find(scene.labels), kLethal);
+  EXPECT_NEAR(tree.x_m, 9.0, 0.4);
+  EXPECT_NEAR(tree.y_m, 0.0, 0.1);
+}
+
 TEST(BottomFinder, GroundSeenOverALowObstacleCountsAgain) {
   Scene scene;
   scene.sky(kUnknown);
   scene.stand(8.0, 0, 1.0, 2.0, kLethal);
-  scene.stand(2.5, 0, 1.0, 0.1, kBad);
+  scene.stand(2.5, 0, 1.0, 0.4, kBad);
   BottomFinder bottom = finder(scene);
   const auto votes = bottom.find(scene.labels);
   EXPECT_NEAR(sum_of(votes, kBad).x_m, 2.5, 0.1);
@@ -250,6 +283,7 @@ TEST(BottomFinder, VotesNeverOutgrowTheirBuffer) {
   Scene scene;
   BottomFinderParams params;
   params.min_run_px = 1;
+  params.min_height_m = 0.0;
   params.ground_resumes_px = 1;
   BottomFinder bottom = finder(scene, params);
   const GroundVote* buffer = bottom.find(scene.labels).data();
