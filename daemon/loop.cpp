@@ -24,7 +24,7 @@ void sleep_until(Time due) {
 
 Memory memory_of(const Robot& robot, std::int64_t utime_us) {
   const PoseEstimate& pose = robot.localisation().estimate();
-  Memory memory{robot.learner().mixture().snapshot(), {utime_us, pose.gyro_bias_radps, robot.driven().poses()}};
+  Memory memory{robot.learner().snapshot(), {utime_us, pose.gyro_bias_radps, robot.driven().poses()}};
   memory.state.track.push_back(pose.X_WB);
   return memory;
 }

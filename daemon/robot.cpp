@@ -98,7 +98,7 @@ bool Robot::see_and_learn(const TickInput& input) {
   if (new_frame && motion_) motion_->see(sight_.vectors(), localisation_.estimate().X_WB);
   if (new_frame) learner_.start(*input.frame);
   learner_.learn(training_input(new_frame), sight_);
-  if (new_frame) sight_.classify(*input.frame, learner_.mixture());
+  if (new_frame) sight_.classify(*input.frame, learner_.mixture(), learner_.texture());
   return new_frame;
 }
 

@@ -28,6 +28,7 @@
 #include "perception/optical_flow_params.h"
 #include "perception/road_params.h"
 #include "perception/slip_detector.h"
+#include "perception/terrain_labeller.h"
 #include "perception/terrain_mixture.h"
 #include "perception/training_events.h"
 #include "perception/training_patch.h"
@@ -112,6 +113,7 @@ struct Configuration {
   MixtureParams mixture;
   TrainingEventParams training;
   TrainingPatchParams reverse_flow;
+  LabelParams labels;
   BottomFinderParams bottom_finder;
   EvidenceGridParams evidence_grid;
   SlipDetectorParams slip;
@@ -142,6 +144,7 @@ struct Configuration {
     section("mixture", mixture);
     section("training", training);
     section("reverse_flow", reverse_flow);
+    section("labels", labels);
     section("bottom_finder", bottom_finder);
     section("evidence_grid", evidence_grid);
     section("slip", slip);

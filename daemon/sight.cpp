@@ -24,7 +24,8 @@ Sight::Sight(const Configuration& configuration, const CameraModel& camera)
       appearance_(configuration.appearance, configuration.flow_history.depth + 1, width_px_, height_px_),
       ground_(camera, configuration.bottom_finder.max_range_m),
       bottom_finder_(configuration.bottom_finder, camera, ground_, configuration.evidence_grid.resolution_m),
-      segmenter_(width_px_, height_px_) {
+      segmenter_(width_px_, height_px_),
+      labeller_(configuration.labels, width_px_, height_px_, configuration.appearance.shrink) {
   if (configuration.road.enabled || configuration.robot.mode == "road") {
     road_.emplace(configuration.road,
                   RoadPicture{width_px_, height_px_, configuration.appearance.shrink, horizon_row_px(camera)},
@@ -63,8 +64,8 @@ bool Sight::see(const Frame& frame) {
   return true;
 }
 
-void Sight::classify(const Frame& frame, const TerrainMixture& mixture) {
-  labels_ = segmenter_.segment(frame.bgr, mixture);
+void Sight::classify(const Frame& frame, const TerrainMixture& mixture, const TextureModel& texture) {
+  labels_ = labeller_.label(segmenter_.segment(frame.bgr, mixture), appearance_.picture(0), texture);
   votes_ = bottom_finder_.find(labels_);
 }
 

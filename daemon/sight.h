@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Hindsight authors
 // SPDX-License-Identifier: BSD-2-Clause
 //
-// What the camera makes of the world: flow and its history, how things looked, labels of every pixel, votes on the
-// ground.
+// What the camera makes of the world: flow and its history, how things looked, labels of every pixel, votes
+// on the ground.
 #pragma once
 
 #include <cstdint>
@@ -20,6 +20,7 @@
 #include "perception/road_follower.h"
 #include "perception/road_ground.h"
 #include "perception/segmenter.h"
+#include "perception/terrain_labeller.h"
 
 namespace hindsight {
 
@@ -27,10 +28,12 @@ class Sight {
  public:
   Sight(const Configuration& configuration, const CameraModel& camera);
 
-  /// Takes a frame into the histories. False, and nothing changes, if it has another size than the calibration.
+  /// Takes a frame into the histories. False, and nothing changes, if it has another size than the
+  /// calibration.
   bool see(const Frame& frame);
-  /// Labels every pixel of the frame last seen and finds where obstacles stand. Call after see() returned true.
-  void classify(const Frame& frame, const TerrainMixture& mixture);
+  /// Labels every pixel of the frame last seen and finds where obstacles stand. Call after see() returned
+  /// true.
+  void classify(const Frame& frame, const TerrainMixture& mixture, const TextureModel& texture);
 
   const OpticalFlow& flow() const { return flow_; }
   std::span<const FlowVector> vectors() const { return vectors_; }
@@ -39,7 +42,7 @@ class Sight {
   const GroundPlane& ground() const { return ground_; }
   const BottomFinder& bottom_finder() const { return bottom_finder_; }
   std::span<const TerrainClass> labels() const { return labels_; }
-  std::array<int, kLabelCount + 1> label_counts() const { return segmenter_.class_counts(); }
+  std::array<int, kLabelCount + 1> label_counts() const { return count_labels(labels_); }
   std::span<const GroundVote> votes() const { return votes_; }
   /// Null where the road is not looked for.
   const RoadFollower* road() const { return road_ ? &*road_ : nullptr; }
@@ -60,6 +63,7 @@ class Sight {
   GroundPlane ground_;
   BottomFinder bottom_finder_;
   Segmenter segmenter_;
+  TerrainLabeller labeller_;
   bool any_frame_ = false;
   Time last_stamp_{};
   std::uint32_t last_sequence_ = 0;

@@ -121,7 +121,7 @@ ColorClassifier::ColorClassifier()
     : exact_(kMostComponents), cubes_(ColorSpace::rgb), huge_(kHugeCubes), remembered_(kLargeCubes) {}
 
 void ColorClassifier::set(const TerrainMixture& mixture) {
-  exact_.set(mixture.components(), mixture.params().gate);
+  exact_.set(mixture);
   if (mixture.color_space() != color_space_) cubes_ = ColorCubes(mixture.color_space());
   color_space_ = mixture.color_space();
   mixture_.set(exact_, color_space_);

@@ -15,8 +15,9 @@
 namespace hindsight {
 
 /// Little-endian: "HSMX", u16 version, u8 colour space, u8 zero, u32 number of components n, then n
-/// components (mean 3, covariance 6 (upper triangle by rows), weight, votes 3; all f64; u8 label), then the
-/// CRC-32 (IEEE 802.3) of all bytes before it.
+/// components (mean 3, covariance 6 (upper triangle by rows), weight, votes 3; all f64; u8 label), then
+/// the votes of textures (3 classes x 64, f64), then the CRC-32 (IEEE 802.3) of all bytes before it. Version
+/// 1 had no textures.
 std::vector<std::uint8_t> encode_mixture(const MixtureSnapshot& mixture);
 
 struct MixtureDecoded {

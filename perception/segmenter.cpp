@@ -76,33 +76,29 @@ std::uint64_t look_up(const std::uint8_t* table, std::uint8_t generation, const 
   return unlabelled;
 }
 
+}  // namespace
+
 /// In runs short enough to count in bytes, which vectorises.
 HINDSIGHT_MULTIVERSION
-std::array<int, kLabelCount + 1> count_labels(const std::uint8_t* labels, std::size_t pixels) {
+std::array<int, kLabelCount + 1> count_labels(std::span<const TerrainClass> labels) {
   constexpr std::size_t kRun = 240;
   std::array<int, kLabelCount + 1> counts{};
-  for (std::size_t begin = 0; begin < pixels; begin += kRun) {
-    const std::size_t end = std::min(begin + kRun, pixels);
+  for (std::size_t begin = 0; begin < labels.size(); begin += kRun) {
+    const std::size_t end = std::min(begin + kRun, labels.size());
     for (std::uint8_t label = 0; label < counts.size(); ++label) {
       std::uint8_t found = 0;
       for (std::size_t i = begin; i < end; ++i)
-        found = static_cast<std::uint8_t>(found + (labels[i] == label));
+        found = static_cast<std::uint8_t>(found + (labels[i] == static_cast<TerrainClass>(label)));
       counts[label] += found;
     }
   }
   return counts;
 }
 
-bool same_density(const MixtureComponent& a, const MixtureComponent& b) {
-  return a.label == b.label && a.mean == b.mean && a.covariance == b.covariance;
-}
-
-}  // namespace
-
 TerrainClass classify_reference(const TerrainMixture& mixture, std::uint8_t b, std::uint8_t g,
                                 std::uint8_t r) {
-  MixtureLikelihood likelihood(mixture.components().size());
-  likelihood.set(mixture.components(), mixture.params().gate);
+  MixtureLikelihood likelihood(kMostComponents);
+  likelihood.set(mixture);
   return likelihood.classify(color_of(mixture.color_space(), b, g, r));
 }
 
@@ -134,10 +130,11 @@ std::span<const TerrainClass> Segmenter::segment(std::span<const std::uint8_t> b
 void Segmenter::follow(const TerrainMixture& mixture) {
   const std::vector<MixtureComponent>& components = mixture.components();
   if (mixture.params().gate == known_gate_ && mixture.color_space() == known_space_ &&
-      std::ranges::equal(components, known_, same_density)) {
+      mixture.params().class_density == known_density_ && components == known_) {
     return;
   }
   known_gate_ = mixture.params().gate;
+  known_density_ = mixture.params().class_density;
   known_space_ = mixture.color_space();
   known_.assign(components.begin(), components.end());
   classifier_.set(mixture);
@@ -190,10 +187,6 @@ inline std::uint8_t Segmenter::label_in_mixed(std::uint32_t small_cube, std::uin
     labels = classifier_.classify(small_cube, place / kFamily, matters);
   }
   return labels >> place % kFamily * 4 & 15;
-}
-
-std::array<int, kLabelCount + 1> Segmenter::class_counts() const {
-  return count_labels(labels_.data(), pixels_);
 }
 
 }  // namespace hindsight

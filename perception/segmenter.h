@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "perception/color_classifier.h"
@@ -17,14 +18,17 @@ namespace hindsight {
 /// Maximum-likelihood class of a colour, evaluated plainly in double precision: the definition that Segmenter
 /// equals.
 ///
-/// (5.1) f(c|l) = 1/M(l) * sum of the densities of the M(l) components labelled l; the class with the largest
-/// wins, the first in the order lethal, bad, good, unlabelled where equal. Components without a class (no
-/// votes yet) form a fourth group, which competes like a class and wins as `unknown`: without it the first
-/// lethal component would own every colour that nobody has voted on yet. (5.2) `unknown` also if the
-/// Mahalanobis distance to every component exceeds the gate. So `unknown` means "nothing learned comes near",
-/// and it is up to the map to let that cost nothing.
+/// (5.1) f(c|l) as class_density says (mixture_likelihood.h); the class with the largest wins, the first in
+/// the order lethal, bad, good, unlabelled where equal. With class_density = "labels", components without a
+/// class (no votes yet) form a fourth group, which competes like a class and wins as `unknown`: without it
+/// the first lethal component would own every colour that nobody has voted on yet. (5.2) `unknown` also if
+/// the Mahalanobis distance to every component exceeds the gate. So `unknown` means "nothing learned comes
+/// near", and it is up to the map to let that cost nothing.
 TerrainClass classify_reference(const TerrainMixture& mixture, std::uint8_t b, std::uint8_t g,
                                 std::uint8_t r);
+
+/// Pixels by class: good, bad, lethal, unknown.
+std::array<int, kLabelCount + 1> count_labels(std::span<const TerrainClass> labels);
 
 /// Labels every pixel of a frame. Not thread safe. About 15 MB, most of it a table of all 2^24 colours: a
 /// pixel's label depends on its colour alone. Most cubes of 4 x 4 x 4 colours have one class, so the table of
@@ -40,9 +44,6 @@ class Segmenter {
   /// every pixel. A mixture that has not started makes every pixel unknown. Allocates only where the
   /// mixture's colour space is another one than the last.
   std::span<const TerrainClass> segment(std::span<const std::uint8_t> bgr, const TerrainMixture& mixture);
-
-  /// Pixels of the last frame by class: good, bad, lethal, unknown.
-  std::array<int, kLabelCount + 1> class_counts() const;
 
  private:
   void follow(const TerrainMixture& mixture);
@@ -70,6 +71,7 @@ class Segmenter {
   std::vector<MixtureComponent> known_;  ///< the components that the tables stand for
   ColorSpace known_space_ = ColorSpace::rgb;
   double known_gate_ = 0.0;
+  std::string known_density_;
   ColorClassifier classifier_;
 };
 

@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #include "perception/terrain_mixture.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <numeric>
 #include <utility>
 
+#include "config/exit_code.h"
 #include "perception/mixture_start.h"
 
 namespace hindsight {
@@ -51,6 +54,11 @@ TerrainMixture::TerrainMixture(const MixtureParams& params)
       color_space_(parse_color_space(params.color_space)),
       scatter_kept_(params.covariance_update == "unbiased" ? scatter_kept(params.gate) : 1.0) {
   const auto capacity = static_cast<std::size_t>(params_.max_components);
+  if (params_.class_density == "shares" && capacity > kMostSharedComponents) {
+    throw FatalError(kExitConfiguration,
+                     fmt::format("mixture.max_components: {}, at most {} where class_density = \"shares\"",
+                                 capacity, kMostSharedComponents));
+  }
   components_.reserve(capacity);
   whitened_.reserve(capacity);
   evidence_.reserve(capacity);

@@ -15,11 +15,14 @@
 #include "config/params.h"
 #include "perception/color_space.h"
 #include "perception/terrain_class.h"
+#include "perception/texture_model.h"
 #include "perception/whitened_gaussian.h"
 
 namespace hindsight {
 
 constexpr std::size_t kMostComponents = 256;
+/// Where a component counts both for good ground and for obstacles, there may be this many.
+constexpr std::size_t kMostSharedComponents = kMostComponents / 2;
 
 /// "colour units" below: of the colour space, so 0..255 a channel for rgb and CIE units for lab.
 ///
@@ -47,6 +50,7 @@ struct MixtureParams {
   std::string vote_unit = "event";
   double memory_votes = 5.0;
   double min_votes = 0.05;
+  std::string class_density = "shares";
   int seed = 1;
 
   void visit(auto&& param) {
@@ -72,6 +76,9 @@ struct MixtureParams {
           "votes after which a component forgets the oldest; thesis: never, 1e9");
     param("min_votes", min_votes, Range{0.0, 1e3},
           "votes below which a component has no class yet; thesis: 0");
+    param("class_density", class_density, Choices{"shares", "labels"},
+          "shares: a component counts for good ground and for obstacles by its share of either's votes; "
+          "labels: for its own label alone, all alike (5.1), the thesis");
     param("seed", seed, Range{0, 2147483647}, "of the K-means start");
   }
 };
@@ -95,11 +102,13 @@ TerrainClass vote_label(const std::array<double, kLabelCount>& votes, double min
 struct MixtureSnapshot {
   ColorSpace color_space = ColorSpace::rgb;
   std::vector<MixtureComponent> components;
+  TextureVotes texture{};  ///< learned beside it
 };
 
 /// Not thread safe. Allocates at construction only (start() too uses scratch memory of its own, once).
 class TerrainMixture {
  public:
+  /// FatalError(78) for more components than class_density allows.
   explicit TerrainMixture(const MixtureParams& params);
 
   /// Whether there are components: after start(), restore() or the first training event.
@@ -130,6 +139,7 @@ class TerrainMixture {
   /// Changes with every change of the components, and only then.
   std::uint64_t version() const { return version_; }
 
+  /// Without textures, which are not the mixture's.
   MixtureSnapshot snapshot() const { return {color_space_, components_}; }
   /// Goes on from a saved mixture. Empty if taken over; else says why not (another colour space), and nothing
   /// changed.

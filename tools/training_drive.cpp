@@ -22,11 +22,19 @@ Arm without_reverse_flow(std::string name, Configuration configuration) {
   return {std::move(name), configuration};
 }
 
+Configuration without_texture() {
+  Configuration configuration;
+  configuration.labels.texture = false;
+  return configuration;
+}
+
 }  // namespace
 
 std::vector<Arm> segmentation_arms() {
   return {without_reverse_flow("no_reverse_flow", thesis_configuration()),
           {"thesis", thesis_configuration()},
+          without_reverse_flow("color_no_reverse_flow", without_texture()),
+          {"color", without_texture()},
           without_reverse_flow("default_no_reverse_flow", Configuration{}),
           {"default", Configuration{}}};
 }
@@ -48,7 +56,7 @@ void TrainingDrive::step() {
 }
 
 std::vector<std::uint8_t> TrainingDrive::mixture(std::size_t arm) const {
-  return encode_mixture(robots_[arm]->learner().mixture().snapshot());
+  return encode_mixture(robots_[arm]->learner().snapshot());
 }
 
 }  // namespace hindsight::tools

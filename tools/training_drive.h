@@ -22,7 +22,7 @@ struct Arm {
 
 /// The thesis' comparison, and ours: "no_reverse_flow" and "thesis" have the thesis' numbers but learn from
 /// patches as they look now, or as they looked from afar; "default_no_reverse_flow" and "default" likewise
-/// with the defaults.
+/// with the defaults, "color_no_reverse_flow" and "color" with the defaults but without texture.
 std::vector<Arm> segmentation_arms();
 
 class TrainingDrive {

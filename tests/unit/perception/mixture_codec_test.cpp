@@ -6,6 +6,9 @@
 
 #include <limits>
 
+#include "config/crc32.h"
+#include "perception/saved_bytes.h"
+
 namespace hindsight {
 namespace {
 
@@ -20,6 +23,8 @@ MixtureSnapshot sample() {
     c.votes = {0.5 * k, 0.0, 2.0};
     c.label = static_cast<TerrainClass>(i + 1);
   }
+  mixture.texture[0][5] = 0.75;
+  mixture.texture[2][63] = 4.0;
   return mixture;
 }
 
@@ -29,7 +34,29 @@ TEST(MixtureCodec, GivesBackWhatWentIn) {
     EXPECT_EQ(decoded.problem, "");
     EXPECT_EQ(decoded.mixture.color_space, mixture.color_space);
     EXPECT_EQ(decoded.mixture.components, mixture.components);
+    EXPECT_EQ(decoded.mixture.texture, mixture.texture);
   }
+}
+
+/// As version 1 wrote it.
+std::vector<std::uint8_t> without_texture(std::vector<std::uint8_t> bytes) {
+  bytes.resize(bytes.size() - sizeof(TextureVotes) - 4);
+  bytes[4] = 1;
+  put(bytes, crc32(bytes));
+  return bytes;
+}
+
+TEST(MixtureCodec, ReadsMixturesFromBeforeTexturesWereLearned) {
+  const MixtureDecoded decoded = decode_mixture(without_texture(encode_mixture(sample())));
+  EXPECT_EQ(decoded.problem, "");
+  EXPECT_EQ(decoded.mixture.components, sample().components);
+  EXPECT_EQ(decoded.mixture.texture, TextureVotes{});
+}
+
+TEST(MixtureCodec, RefusesVotesOfTexturesThatAreNone) {
+  MixtureSnapshot mixture = sample();
+  mixture.texture[1][2] = -0.5;
+  EXPECT_EQ(decode_mixture(encode_mixture(mixture)).problem, "byte 855: no number of votes");
 }
 
 TEST(MixtureCodec, RefusesEveryTruncationAndEveryByteTooMany) {
@@ -76,10 +103,10 @@ TEST(MixtureCodec, RefusesNumbersThatNoMixtureHasUnderAGoodChecksum) {
 TEST(MixtureCodec, SaysWhatIsWrongAndWhere) {
   std::vector<std::uint8_t> bytes = encode_mixture(sample());
   bytes[4] = 9;
-  EXPECT_EQ(decode_mixture(bytes).problem, "byte 4: version 9, expected 1");
+  EXPECT_EQ(decode_mixture(bytes).problem, "byte 4: version 9, expected 2");
   bytes = encode_mixture(sample());
   bytes.back() ^= 1;
-  EXPECT_EQ(decode_mixture(bytes).problem, "byte 327: the checksum does not fit");
+  EXPECT_EQ(decode_mixture(bytes).problem, "byte 1863: the checksum does not fit");
   EXPECT_EQ(decode_mixture({}).problem, "ends at byte 0, within the header");
 }
 

@@ -170,7 +170,9 @@ TEST(TerrainMixture, GroundInALethalPatchRecoversThroughDrivenOverGround) {
 
 TEST(TerrainMixture, OldVotesFadeSoThatALongDriveCanBeOverruled) {
   std::mt19937 random(7);
-  TerrainMixture mixture = started(rgb_params());
+  MixtureParams params = rgb_params();
+  params.class_density = "labels";
+  TerrainMixture mixture = started(params);
   const Pixels ground = cloud(random, 90, 120, 150, 1, 50);
   for (int i = 0; i < 500; ++i) mixture.train(ground, TerrainClass::good);
   ASSERT_EQ(classify_reference(mixture, 90, 120, 150), TerrainClass::good);

@@ -8,6 +8,8 @@
 #include <set>
 #include <vector>
 
+#include "perception/texture_code.h"
+
 namespace hindsight {
 namespace {
 
@@ -72,6 +74,7 @@ AppearanceHistory telling_history(int frames, int shrink) {
 TrainingPatchParams thesis() {
   TrainingPatchParams params;
   params.trace_until = "oldest";
+  params.looks = "far";
   params.max_points = 1000000;
   return params;
 }
@@ -82,7 +85,7 @@ TEST(TrainingPatch, TakesEachPixelWhereItsOwnTraceEnds) {
   const AppearanceHistory history = telling_history(60, 1);
   const ShiftFlow flow;
   TrainingPatchTracer tracer(thesis());
-  std::vector<Bgr> pixels;
+  PatchPixels pixels;
   const TracedPatch result = tracer.trace(flow, history, kPatch, 0, pixels);
   EXPECT_EQ(result.points, 600);
   std::set<Bgr> expected;
@@ -92,8 +95,8 @@ TEST(TrainingPatch, TakesEachPixelWhereItsOwnTraceEnds) {
       expected.insert({std::uint8_t(steps), std::uint8_t(x + 3 * steps), std::uint8_t(y)});
     }
   }
-  EXPECT_EQ(std::set<Bgr>(pixels.begin(), pixels.end()), expected);
-  EXPECT_EQ(pixels.size(), expected.size()) << "no pixel twice";
+  EXPECT_EQ(std::set<Bgr>(pixels.bgr.begin(), pixels.bgr.end()), expected);
+  EXPECT_EQ(pixels.bgr.size(), expected.size()) << "no pixel twice";
 }
 
 TEST(TrainingPatch, WithoutReverseFlowThePatchAsItLooksNow) {
@@ -101,12 +104,12 @@ TEST(TrainingPatch, WithoutReverseFlowThePatchAsItLooksNow) {
   TrainingPatchParams params = thesis();
   params.reverse_flow = false;
   TrainingPatchTracer tracer(params);
-  std::vector<Bgr> pixels;
+  PatchPixels pixels;
   const TracedPatch result = tracer.trace(ZoomFlow{}, history, kPatch, 7, pixels);
   EXPECT_EQ(result.pixels, 600);
   EXPECT_EQ(result.frames_back, 7);
   EXPECT_EQ(result.there_px, kPatch);
-  for (const Bgr& pixel : pixels) {
+  for (const Bgr& pixel : pixels.bgr) {
     EXPECT_EQ(pixel[0], 7);
     EXPECT_TRUE(pixel[1] >= 40 && pixel[1] < 70 && pixel[2] >= 40 && pixel[2] < 60);
   }
@@ -115,24 +118,69 @@ TEST(TrainingPatch, WithoutReverseFlowThePatchAsItLooksNow) {
 TEST(TrainingPatch, TracesToTheOldestFrame) {
   const AppearanceHistory history = telling_history(60, 1);
   TrainingPatchTracer tracer(thesis());
-  std::vector<Bgr> pixels;
+  PatchPixels pixels;
   const TracedPatch result = tracer.trace(ZoomFlow{}, history, kPatch, 0, pixels);
   EXPECT_EQ(result.frames_back, 50);
   EXPECT_EQ(result.points, 600);
   EXPECT_LT(result.pixels, 60) << "a patch that was small then is few pixels, each once";
-  EXPECT_EQ(std::set<Bgr>(pixels.begin(), pixels.end()).size(), pixels.size());
-  for (const Bgr& pixel : pixels) EXPECT_EQ(pixel[0], 50);
+  EXPECT_EQ(std::set<Bgr>(pixels.bgr.begin(), pixels.bgr.end()).size(), pixels.bgr.size());
+  for (const Bgr& pixel : pixels.bgr) EXPECT_EQ(pixel[0], 50);
 }
 
 TEST(TrainingPatch, StopsWhileThePatchIsWideEnough) {
   const AppearanceHistory history = telling_history(60, 1);
   TrainingPatchParams params;
+  params.looks = "far";
   TrainingPatchTracer tracer(params);
-  std::vector<Bgr> pixels;
+  PatchPixels pixels;
   const TracedPatch result = tracer.trace(ZoomFlow{}, history, kPatch, 3, pixels);
   const int expected = static_cast<int>(std::floor(std::log(params.min_width_px / 30.0) / std::log(0.97)));
   EXPECT_EQ(result.frames_back, 3 + expected);
   EXPECT_GE(result.there_px.width_px, params.min_width_px - 0.5);
+}
+
+TEST(TrainingPatch, LooksAtThePatchAllTheWayItCame) {
+  const AppearanceHistory history = telling_history(60, 1);
+  TrainingPatchParams params;
+  TrainingPatchTracer tracer(params);
+  PatchPixels pixels;
+  const TracedPatch result = tracer.trace(ZoomFlow{}, history, kPatch, 3, pixels);
+  std::set<int> frames;
+  for (const Bgr& pixel : pixels.bgr) frames.insert(pixel[0]);
+  // 0.97^12 is the first power below 0.7; the fourth look would be narrower than 8 px.
+  EXPECT_EQ(frames, (std::set{3, 15, 27, 39}));
+  EXPECT_GE(result.there_px.width_px, params.min_width_px - 0.5);
+
+  params.looks = "far";
+  TrainingPatchTracer far_tracer(params);
+  far_tracer.trace(ZoomFlow{}, history, kPatch, 3, pixels);
+  frames.clear();
+  for (const Bgr& pixel : pixels.bgr) frames.insert(pixel[0]);
+  EXPECT_EQ(frames, std::set{3 + 43});
+}
+
+TEST(TrainingPatch, ALookEndsWhereThePatchEnteredTheView) {
+  const AppearanceHistory history = telling_history(60, 1);
+  TrainingPatchParams params;
+  params.max_points = 1000;
+  TrainingPatchTracer tracer(params);
+  PatchPixels pixels;
+  tracer.trace(ShiftFlow{}, history, {kWidth - 10, 40, 8, 20}, 0, pixels);
+  for (const Bgr& pixel : pixels.bgr)
+    EXPECT_EQ(pixel[0], 0) << "its right edge was in view in no other frame";
+  EXPECT_EQ(pixels.bgr.size(), 160U);
+}
+
+TEST(TrainingPatch, TellsTheTextureOfEachPixel) {
+  const AppearanceHistory history = telling_history(60, 1);
+  TrainingPatchTracer tracer(thesis());
+  PatchPixels pixels;
+  tracer.trace(ShiftFlow{}, history, kPatch, 0, pixels);
+  ASSERT_EQ(pixels.texture.size(), pixels.bgr.size());
+  for (std::size_t i = 0; i < pixels.bgr.size(); ++i) {
+    const auto [frame, column, row] = pixels.bgr[i];
+    EXPECT_EQ(pixels.texture[i], texture_code_at(history.picture(frame), kWidth, kHeight, column, row));
+  }
 }
 
 TEST(TrainingPatch, PixelsThatFallTogetherInAShrunkenPictureCountOnce) {
@@ -140,9 +188,9 @@ TEST(TrainingPatch, PixelsThatFallTogetherInAShrunkenPictureCountOnce) {
   TrainingPatchParams params = thesis();
   params.reverse_flow = false;
   TrainingPatchTracer tracer(params);
-  std::vector<Bgr> pixels;
+  PatchPixels pixels;
   EXPECT_EQ(tracer.trace(ZoomFlow{}, history, {40, 40, 32, 20}, 0, pixels).points, 640);
-  EXPECT_EQ(pixels.size(), 40U);
+  EXPECT_EQ(pixels.bgr.size(), 40U);
 }
 
 TEST(TrainingPatch, PointsAreLimitedAndSpread) {
@@ -151,7 +199,7 @@ TEST(TrainingPatch, PointsAreLimitedAndSpread) {
   params.reverse_flow = false;
   params.max_points = 100;
   TrainingPatchTracer tracer(params);
-  std::vector<Bgr> pixels;
+  PatchPixels pixels;
   const TracedPatch result = tracer.trace(ZoomFlow{}, history, kPatch, 0, pixels);
   EXPECT_LE(result.points, 100);
   EXPECT_GT(result.points, 50);
@@ -162,9 +210,9 @@ TEST(TrainingPatch, PointsAreLimitedAndSpread) {
 TEST(TrainingPatch, FrameThatIsNoLongerHeldTeachesNothing) {
   const AppearanceHistory history = telling_history(20, 1);
   TrainingPatchTracer tracer(thesis());
-  std::vector<Bgr> pixels(3);
+  PatchPixels pixels{std::vector<Bgr>(3), std::vector<std::uint8_t>(3)};
   EXPECT_EQ(tracer.trace(ZoomFlow{}, history, kPatch, 20, pixels).points, 0);
-  EXPECT_TRUE(pixels.empty());
+  EXPECT_TRUE(pixels.bgr.empty() && pixels.texture.empty());
   const TracedPatch result = tracer.trace(ZoomFlow{}, history, kPatch, 15, pixels);
   EXPECT_EQ(result.frames_back, 19) << "flow reaches farther back than pictures";
 }

@@ -160,7 +160,7 @@ TEST_F(RobotDrive, TheSameInputsGiveTheSameBytes) {
 TEST_F(RobotDrive, ASavedMixtureGoesOnWhereItEnded) {
   for (int i = 0; i < 30; ++i) step();
   RobotSetup setup = BenchDrive::setup(Configuration{});
-  const auto bytes = encode_mixture(robot_.learner().mixture().snapshot());
+  const auto bytes = encode_mixture(robot_.learner().snapshot());
   const MixtureDecoded decoded = decode_mixture(bytes);
   ASSERT_EQ(decoded.problem, "");
   setup.mixture = decoded.mixture;
