@@ -15,6 +15,9 @@ constexpr int kCountBits = 21;
 constexpr std::uint64_t kCountOf[kLabelCount + 1] = {1, std::uint64_t{1} << kCountBits,
                                                      std::uint64_t{1} << 2 * kCountBits, 0};
 
+/// Share of a window that must have evidence, or it is unknown.
+constexpr double kLeastJudged = 0.3;
+
 struct Counts {
   double good, bad, lethal;
 };
@@ -48,6 +51,7 @@ std::span<const TerrainClass> TerrainLabeller::label(std::span<const TerrainClas
   if (params_.window_px == 0) return colors;
   count_colors(colors);
   counts_.update();
+  textures_speak_ = false;
   if (params_.texture) weigh_textures(small_bgr, texture);
   for (int row = 0; row < rows_; ++row) label_row(row);
   return labels_;
@@ -72,6 +76,8 @@ void TerrainLabeller::weigh_textures(std::span<const std::uint8_t> small_bgr, co
   std::array<std::int32_t, kTextureCodes> evidence;
   std::ranges::transform(texture.log_ratios(params_.texture_limit), evidence.begin(),
                          [](float ratio) { return static_cast<std::int32_t>(std::lround(kUnit * ratio)); });
+  textures_speak_ = std::ranges::any_of(evidence, [](std::int32_t e) { return e != 0; });
+  if (!textures_speak_) return;
   std::ranges::transform(textures_.update(small_bgr), texture_evidence_.in().begin(),
                          [&](std::uint8_t code) { return evidence[code]; });
   texture_evidence_.update();
@@ -97,14 +103,19 @@ void TerrainLabeller::label_row(int row) {
   for (int y = 1; y < rows_px; ++y) std::copy_n(line, width, line + static_cast<std::size_t>(y) * width);
 }
 
+/// Every cell has a texture; those with known colours are fewer.
+double TerrainLabeller::judged_cells(double known_px, int cells) const {
+  return textures_speak_ ? cells : known_px / (cell_px_ * cell_px_);
+}
+
 TerrainClass TerrainLabeller::judge(std::size_t cell, int cells) const {
   const auto [good, bad, lethal] = unpack(counts_.out()[cell]);
   const double cell_area_px = cell_px_ * cell_px_;
-  if (good + bad + lethal < params_.min_known * cell_area_px * cells || good + bad + lethal == 0.0)
-    return TerrainClass::unknown;
+  const double known_px = good + bad + lethal, judged = judged_cells(known_px, cells);
+  if (known_px == 0.0 || judged < kLeastJudged * cells) return TerrainClass::unknown;
   const double of_colors = params_.color_log_ratio * (bad + lethal - good) / cell_area_px,
-               of_textures = params_.texture ? texture_evidence_.out()[cell] / kUnit : 0.0;
-  if (of_colors + of_textures < -params_.obstacle_log_odds * cells) return TerrainClass::good;
+               of_textures = textures_speak_ ? texture_evidence_.out()[cell] / kUnit : 0.0;
+  if (of_colors + of_textures < -params_.obstacle_log_odds * judged) return TerrainClass::good;
   return lethal >= bad ? TerrainClass::lethal : TerrainClass::bad;
 }
 

@@ -22,14 +22,14 @@
 namespace hindsight {
 
 /// The defaults were chosen on three training drives through simulated forests, none of them among those that
-/// the documentation reports.
+/// the documentation reports: mean obstacle coverage there is 91, 94 and 96 % with obstacle_log_odds of 0.4,
+/// 0.6 and 0.8, and 16, 21 and 25 % of the ground is called obstacle.
 struct LabelParams {
   bool texture = true;
   int window_px = 10;
   double color_log_ratio = 1.0;
   double texture_limit = 2.0;
-  double obstacle_log_odds = 0.4;
-  double min_known = 0.3;
+  double obstacle_log_odds = 0.6;
 
   void visit(auto&& param) {
     param("texture", texture, YesNo{}, "learn texture beside colour; thesis: false");
@@ -40,9 +40,7 @@ struct LabelParams {
     param("color_log_ratio", color_log_ratio, Range{0.0, 10.0}, "evidence of a colour's label [ln]");
     param("texture_limit", texture_limit, Range{0.0, 10.0}, "most evidence of a texture [ln]");
     param("obstacle_log_odds", obstacle_log_odds, Range{-10.0, 10.0},
-          "what speaks for an obstacle before anything is seen [ln]");
-    param("min_known", min_known, Range{0.0, 1.0},
-          "share of the window's colours that must be known, or it is unknown");
+          "what speaks for an obstacle beforehand, wherever there is evidence [ln]");
   }
 };
 
@@ -54,13 +52,15 @@ class TerrainLabeller {
 
   /// colors: one label a pixel, row-major; small_bgr: the same frame, 1 / cell_px as wide and high. One label
   /// a pixel, valid until the next call and as long as `colors`. An obstacle is lethal or bad as most
-  /// obstacle colours in the window are, the more severe where equal. No allocation.
+  /// obstacle colours in the window are, the more severe where equal. Unknown is a window without any known
+  /// colour, or, as long as textures say nothing, with few. No allocation.
   std::span<const TerrainClass> label(std::span<const TerrainClass> colors,
                                       std::span<const std::uint8_t> small_bgr, const TextureModel& texture);
 
  private:
   void count_colors(std::span<const TerrainClass> colors);
   void weigh_textures(std::span<const std::uint8_t> small_bgr, const TextureModel& texture);
+  double judged_cells(double known_px, int cells) const;
   void label_row(int row);
   TerrainClass judge(std::size_t cell, int cells) const;
 
@@ -71,6 +71,7 @@ class TerrainLabeller {
   int columns_;
   int rows_;
   TextureMap textures_;
+  bool textures_speak_ = false;            ///< there is evidence of textures
   BoxSum<std::uint64_t> counts_;           ///< of colours' labels: good, bad, lethal, 21 bits each
   BoxSum<std::int32_t> texture_evidence_;  ///< [ln / kUnit]
   std::vector<TerrainClass> labels_;

@@ -63,8 +63,9 @@ TerrainClass by_hand(const LabelParams& params, const Labels& colors, int width,
       }
     }
   }
-  if (known < params.min_known * cells * cell_px * cell_px || known == 0) return kUnknown;
-  if (evidence < -params.obstacle_log_odds * cells) return kGood;
+  const double judged = params.texture ? cells : known / (cell_px * cell_px);
+  if (known == 0 || judged < 0.3 * cells) return kUnknown;
+  if (evidence < -params.obstacle_log_odds * judged) return kGood;
   return severity >= 0 ? kLethal : kBad;
 }
 
@@ -129,6 +130,21 @@ TEST(TerrainLabeller, SpecksGoAndThingsStay) {
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < 40; ++x) left += at(x, y) != kGood;
   EXPECT_LT(left, 40 * height / 100);
+}
+
+TEST(TerrainLabeller, CallsNothingAnObstacleBeforeObstaclesAreKnown) {
+  std::mt19937 random(4);
+  const int width = 60, height = 40;
+  TextureModel ground_alone;
+  ground_alone.train(std::vector<std::uint8_t>{1, 2, 3}, kGood);
+  const auto small = small_noise(random, width * height / 4);
+  TerrainLabeller labeller(LabelParams{}, width, height, 2);
+  for (const unsigned unknown_of_ten : {1u, 5u, 9u}) {
+    Labels colors(static_cast<std::size_t>(width * height));
+    for (TerrainClass& label : colors) label = random() % 10 < unknown_of_ten ? kUnknown : kGood;
+    for (const TerrainClass label : labeller.label(colors, small, ground_alone))
+      EXPECT_EQ(label, unknown_of_ten == 9 ? kUnknown : kGood) << unknown_of_ten;
+  }
 }
 
 TEST(TerrainLabeller, TextureTellsWhatColorsDoNot) {
