@@ -41,6 +41,10 @@ double squared(float x) { return static_cast<double>(x) * static_cast<double>(x)
 
 }  // namespace
 
+bool turns(const WheelMotion& motion, double least_mps) {
+  return std::abs(motion.commanded_mps) >= least_mps && std::abs(motion.measured_mps) >= least_mps;
+}
+
 SlipDetector::SlipDetector(const SlipDetectorParams& params, double sample_rate_hz)
     : params_(params),
       min_share_(share_above_noise(params, sample_rate_hz)),
@@ -57,7 +61,7 @@ const SlipReport& SlipDetector::update(Time now, const std::array<WheelMotion, k
     Channel& channel = channels_[i];
     WheelSlip& slip = report_.wheels[i];
     if (channel.spectrum.update()) find_component(channel.spectrum, slip);
-    const bool turning = turns(motion[i]);
+    const bool turning = turns(motion[i], params_.min_speed_mps);
     if (turning && is_slip(channel.spectrum, slip)) {
       channel.last_slip = now;
       slip.slipping = true;
@@ -93,11 +97,6 @@ void SlipDetector::find_component(const CurrentSpectrum& spectrum, WheelSlip& sl
   const double left = best > 1 ? squared(amplitudes[best - 1]) : 0.0;
   const double right = best < last ? squared(amplitudes[best + 1]) : 0.0;
   slip.share = (left + squared(amplitudes[best]) + right) / power;
-}
-
-bool SlipDetector::turns(const WheelMotion& motion) const {
-  return std::abs(motion.commanded_mps) >= params_.min_speed_mps &&
-         std::abs(motion.measured_mps) >= params_.min_speed_mps;
 }
 
 bool SlipDetector::is_slip(const CurrentSpectrum& spectrum, const WheelSlip& slip) const {

@@ -50,6 +50,9 @@ struct WheelMotion {
   double measured_mps = 0.0;
 };
 
+/// The wheel is told, and seen, to turn so fast: one that stands does not slip.
+bool turns(const WheelMotion& motion, double least_mps);
+
 struct WheelSlip {
   bool slipping = false;
   double component = 0.0;     ///< largest in the band, over DC; of a peak only if local_peak; 0 if none
@@ -97,7 +100,6 @@ class SlipDetector {
 
   const Channel& channel(Wheel wheel) const { return channels_[static_cast<std::size_t>(wheel)]; }
   void find_component(const CurrentSpectrum& spectrum, WheelSlip& slip) const;
-  bool turns(const WheelMotion& motion) const;
   bool is_slip(const CurrentSpectrum& spectrum, const WheelSlip& slip) const;
 
   SlipDetectorParams params_;
