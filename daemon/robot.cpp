@@ -35,10 +35,12 @@ Robot::Robot(const RobotSetup& setup)
 }
 
 Decision Robot::step(const TickInput& input, Outbox& outbox) {
-  sensed_ = senses_.update(input);
+  senses_.update(input);
+  const bool new_frame = see(input);
+  sensed_ = senses_.feel_slip(input, new_frame ? sight_.ground_step() : nullptr);
   localise(input);
   obey(input);
-  const bool new_frame = see_and_learn(input);
+  learn(input, new_frame);
   update_map(new_frame);
   const StopReason reason = judge(input);
   plan(input, reason == StopReason::none);
@@ -48,6 +50,8 @@ Decision Robot::step(const TickInput& input, Outbox& outbox) {
   last_reason_ = reason;
   return decision;
 }
+
+bool Robot::see(const TickInput& input) { return input.frame && sight_.see(*input.frame); }
 
 void Robot::localise(const TickInput& input) {
   const VehicleSignals& vehicle = sensed_.vehicle;
@@ -93,13 +97,11 @@ bool Robot::permits(double mode) const {
   return mode == 0.0 || mode == 1.0 || (mode == 2.0 && sight_.road() != nullptr);
 }
 
-bool Robot::see_and_learn(const TickInput& input) {
-  const bool new_frame = input.frame && sight_.see(*input.frame);
+void Robot::learn(const TickInput& input, bool new_frame) {
   if (new_frame && motion_) motion_->see(sight_.vectors(), localisation_.estimate().X_WB);
   if (new_frame) learner_.start(*input.frame);
   learner_.learn(training_input(new_frame), sight_);
   if (new_frame) sight_.classify(*input.frame, learner_.mixture(), learner_.texture());
-  return new_frame;
 }
 
 TrainingInput Robot::training_input(bool new_frame) const {
@@ -181,7 +183,7 @@ void Robot::publish(const TickInput& input, bool new_frame, const Decision& deci
                       .armed = failsafe_.armed(),
                       .sensed = sensed_,
                       .pose = localisation_.estimate(),
-                      .slip = senses_.slip_detector(),
+                      .slip = senses_.slip(),
                       .sight = sight_,
                       .learner = learner_,
                       .motion = motion(),

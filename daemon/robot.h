@@ -64,10 +64,11 @@ class Robot {
   const std::optional<Point2>& goal_W() const { return goal_W_; }
 
  private:
+  bool see(const TickInput& input);
   void localise(const TickInput& input);
   void obey(const TickInput& input);
   bool permits(double mode) const;
-  bool see_and_learn(const TickInput& input);
+  void learn(const TickInput& input, bool new_frame);
   void update_map(bool new_frame);
   StopReason judge(const TickInput& input);
   StopReason reflex_reason(const TickInput& input) const;

@@ -23,6 +23,8 @@
 #include "perception/bottom_finder.h"
 #include "perception/evidence_grid.h"
 #include "perception/flow_history.h"
+#include "perception/ground_odometry.h"
+#include "perception/ground_slip.h"
 #include "perception/localisation_params.h"
 #include "perception/motion_tracker.h"
 #include "perception/optical_flow_params.h"
@@ -117,6 +119,8 @@ struct Configuration {
   BottomFinderParams bottom_finder;
   EvidenceGridParams evidence_grid;
   SlipDetectorParams slip;
+  GroundSlipParams ground_slip;
+  GroundOdometryParams ground_odometry;
   MotionParams motion;
   ActivityMapParams activity_map;
   RoadParams road;
@@ -148,6 +152,8 @@ struct Configuration {
     section("bottom_finder", bottom_finder);
     section("evidence_grid", evidence_grid);
     section("slip", slip);
+    section("ground_slip", ground_slip);
+    section("ground_odometry", ground_odometry);
     section("motion", motion);
     section("activity_map", activity_map);
     section("road", road);

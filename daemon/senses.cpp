@@ -20,16 +20,15 @@ bool is_fresh(Time stamp, Time now, Time timeout) { return stamp != Time{} && no
 Senses::Senses(const Configuration& configuration, const Dbc& dbc)
     : params_(configuration.failsafe),
       decoder_(dbc, configuration.can_roles),
-      slip_(configuration.slip, configuration.robot.current_rate_hz) {}
+      slip_(configuration.slip, configuration.robot.current_rate_hz, configuration.ground_slip,
+            configuration.vehicle.track_width_m) {}
 
 void Senses::decode(const TickInput& input) {
   for (const CanFrame& frame : input.can) {
     const SignalGroups groups = decoder_.decode(frame);
     const VehicleSignals& vehicle = decoder_.signals();
-    if (groups.has(SignalGroup::currents)) {
-      slip_.add_current(Wheel::left, vehicle.currents_stamp, vehicle.left_a);
-      slip_.add_current(Wheel::right, vehicle.currents_stamp, vehicle.right_a);
-    }
+    if (groups.has(SignalGroup::currents)) slip_.add_currents(vehicle.currents_stamp, vehicle.left_a, vehicle.right_a);
+    if (groups.has(SignalGroup::wheels)) slip_.add_speeds(vehicle.wheels_stamp, vehicle.left_mps, vehicle.right_mps);
     if (!groups.empty()) last_sample_[index_of(Source::can)] = frame.stamp;
   }
   sensed_.vehicle = decoder_.signals();
@@ -39,15 +38,16 @@ void Senses::decode(const TickInput& input) {
   sensed_.ir_fresh = is_fresh(vehicle.ir_stamp, input.now, kGroupTimeout);
 }
 
-void Senses::listen_for_slip(const TickInput& input) {
+const Sensed& Senses::feel_slip(const TickInput& input, const GroundStep* step) {
+  if (step != nullptr) slip_.add_step(*step);
   const VehicleSignals& vehicle = sensed_.vehicle;
   // Where a person drives, nothing is known of what the wheels were told: take what they do.
   const bool ours = input.reflex.stop_reason == 0;
   const bool slipped = sensed_.slipping;
   sensed_.slipping = slip_.update(input.now, {WheelMotion{ours ? input.reflex.left_mps : vehicle.left_mps, vehicle.left_mps},
-                                              WheelMotion{ours ? input.reflex.right_mps : vehicle.right_mps, vehicle.right_mps}})
-                         .slipping;
+                                              WheelMotion{ours ? input.reflex.right_mps : vehicle.right_mps, vehicle.right_mps}});
   sensed_.slip_began = sensed_.slipping && !slipped;
+  return sensed_;
 }
 
 void Senses::follow_lines(const TickInput& input) {
@@ -91,7 +91,6 @@ void Senses::judge_sources(const TickInput& input) {
 
 const Sensed& Senses::update(const TickInput& input) {
   decode(input);
-  listen_for_slip(input);
   follow_lines(input);
   judge_sources(input);
   return sensed_;

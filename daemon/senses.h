@@ -9,7 +9,7 @@
 #include "daemon/robot_config.h"
 #include "drivers/tick_input.h"
 #include "drivers/vehicle_decoder.h"
-#include "perception/slip_detector.h"
+#include "perception/slip_watch.h"
 
 namespace hindsight {
 
@@ -40,18 +40,19 @@ class Senses {
 
   /// Takes in one tick's samples; what it returns is valid until the next call.
   const Sensed& update(const TickInput& input);
-  const SlipDetector& slip_detector() const { return slip_; }
+  /// Whether the wheels slip; after update(). `step`: over the ground, where this tick's frame shows one; else null.
+  const Sensed& feel_slip(const TickInput& input, const GroundStep* step);
+  const SlipWatch& slip() const { return slip_; }
   SignalGroups mapped() const { return decoder_.mapped(); }
 
  private:
   void decode(const TickInput& input);
-  void listen_for_slip(const TickInput& input);
   void follow_lines(const TickInput& input);
   void judge_sources(const TickInput& input);
 
   FailsafeParams params_;
   VehicleDecoder decoder_;
-  SlipDetector slip_;
+  SlipWatch slip_;
   Sensed sensed_;
   std::array<Time, kSourceCount> last_sample_{};
   std::array<SourceState, kSourceCount> reported_{};

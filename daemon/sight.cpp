@@ -26,6 +26,7 @@ Sight::Sight(const Configuration& configuration, const CameraModel& camera)
       bottom_finder_(configuration.bottom_finder, camera, ground_, configuration.evidence_grid.resolution_m),
       segmenter_(width_px_, height_px_),
       labeller_(configuration.labels, width_px_, height_px_, configuration.appearance.shrink) {
+  if (configuration.ground_slip.enabled) odometry_.emplace(configuration.ground_odometry, camera);
   if (configuration.road.enabled || configuration.robot.mode == "road") {
     road_.emplace(configuration.road,
                   RoadPicture{width_px_, height_px_, configuration.appearance.shrink, horizon_row_px(camera)},
@@ -55,7 +56,9 @@ bool Sight::see(const Frame& frame) {
   if (frame.width_px != width_px_ || frame.height_px != height_px_) return false;
   if (any_frame_ && interrupted(frame)) forget();
   vectors_ = flow_.update(frame.bgr);
+  ground_step_.reset();
   if (any_frame_) history_.push(vectors_);
+  if (any_frame_ && odometry_) ground_step_ = GroundStep{last_stamp_, frame.stamp, odometry_->measure(vectors_)};
   appearance_.push(frame.bgr);
   if (road_) follow_road(any_frame_ ? frame.stamp - last_stamp_ : Time{});
   any_frame_ = true;

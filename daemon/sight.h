@@ -15,6 +15,7 @@
 #include "perception/bottom_finder.h"
 #include "perception/camera_model.h"
 #include "perception/flow_history.h"
+#include "perception/ground_odometry.h"
 #include "perception/ground_plane.h"
 #include "perception/optical_flow.h"
 #include "perception/road_follower.h"
@@ -37,6 +38,8 @@ class Sight {
 
   const OpticalFlow& flow() const { return flow_; }
   std::span<const FlowVector> vectors() const { return vectors_; }
+  /// Over the ground, from the frame before to the one last seen; null where that was the first, or nobody asks.
+  const GroundStep* ground_step() const { return ground_step_ ? &*ground_step_ : nullptr; }
   const FlowHistory& history() const { return history_; }
   const AppearanceHistory& appearance() const { return appearance_; }
   const GroundPlane& ground() const { return ground_; }
@@ -61,6 +64,7 @@ class Sight {
   FlowHistory history_;
   AppearanceHistory appearance_;
   GroundPlane ground_;
+  std::optional<GroundOdometry> odometry_;  ///< where slip is told by it
   BottomFinder bottom_finder_;
   Segmenter segmenter_;
   TerrainLabeller labeller_;
@@ -68,6 +72,7 @@ class Sight {
   Time last_stamp_{};
   std::uint32_t last_sequence_ = 0;
   std::span<const FlowVector> vectors_;
+  std::optional<GroundStep> ground_step_;
   std::span<const TerrainClass> labels_;
   std::span<const GroundVote> votes_;
   std::optional<RoadFollower> road_;

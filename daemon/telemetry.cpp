@@ -164,12 +164,19 @@ void Telemetry::publish_slip(const TickReport& tick, Outbox& outbox) {
   slip_t& m = messages_->slip;
   m.utime = tick.input.utime_us;
   m.tick = number<std::int64_t>(tick.input.index);
-  const SlipReport& report = tick.slip.report();
-  const auto left = tick.slip.spectrum(Wheel::left).relative_amplitudes();
-  const auto right = tick.slip.spectrum(Wheel::right).relative_amplitudes();
-  m.slipping = number<std::int8_t>(report.slipping);
-  m.hz_per_bin = number<float>(tick.slip.spectrum(Wheel::left).hz_per_bin());
-  for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) m.peak[wheel] = number<float>(report.wheels[wheel].component);
+  const SlipDetector& currents = tick.slip.currents();
+  const GroundSlipReport& ground = tick.slip.ground();
+  const auto left = currents.spectrum(Wheel::left).relative_amplitudes();
+  const auto right = currents.spectrum(Wheel::right).relative_amplitudes();
+  m.slipping = number<std::int8_t>(tick.slip.slipping());
+  m.ground_known = number<std::int8_t>(ground.known);
+  m.hz_per_bin = number<float>(currents.spectrum(Wheel::left).hz_per_bin());
+  for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {
+    m.wheel_mps[wheel] = number<float>(ground.wheels[wheel].wheel_mps);
+    m.ground_mps[wheel] = number<float>(ground.wheels[wheel].ground_mps);
+    m.lost_way_m[wheel] = number<float>(ground.wheels[wheel].lost_way_m);
+    m.peak[wheel] = number<float>(currents.report().wheels[wheel].component);
+  }
   m.bins = number<std::int16_t>(left.size());
   m.left.assign(left.begin(), left.end());
   m.right.assign(right.begin(), right.end());

@@ -31,7 +31,7 @@ struct TickReport {
   bool armed;
   const Sensed& sensed;
   const PoseEstimate& pose;
-  const SlipDetector& slip;
+  const SlipWatch& slip;
   const Sight& sight;
   const Learner& learner;
   const MotionSense* motion;  ///< null: not enabled

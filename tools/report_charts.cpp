@@ -106,6 +106,28 @@ void add_legend(SvgChart& chart, const RunTrace& trace, Value&& value, Color&& c
   }
 }
 
+struct Speeds {
+  const char* name;
+  Rgb color;
+  std::vector<double> mps;  ///< NaN: a gap
+};
+
+/// Two speeds over time, the second drawn over the first.
+std::string speeds_chart(const RunTrace& trace, const std::string& label, const Speeds& below,
+                         const Speeds& above) {
+  double low = 0.0, high = 0.5;
+  for (const Speeds* speeds : {&below, &above}) {
+    for (const double value : speeds->mps) {
+      if (!std::isnan(value)) low = std::min(low, value), high = std::max(high, value);
+    }
+  }
+  const double spare = 0.06 * (high - low);
+  SvgChart chart(kWidthPx, 230, {0.0, trace.duration_s(), "time [s]"}, {low - spare, high + spare, label});
+  const auto time_s = times(trace);
+  for (const Speeds* speeds : {&below, &above}) chart.line(time_s, speeds->mps, speeds->color, speeds->name);
+  return chart.text();
+}
+
 }  // namespace
 
 std::string state_chart(const RunTrace& trace) {
@@ -147,22 +169,20 @@ std::string speed_chart(const RunTrace& trace, Wheel wheel) {
   const auto side = [wheel](const DriveCommand& command) {
     return wheel == Wheel::left ? command.left_mps : command.right_mps;
   };
-  const auto commanded = column(trace, [&](const TickTrace& tick) { return side(tick.commanded); });
-  const auto measured = column(trace, [&](const TickTrace& tick) { return side(tick.measured); });
-  double low = 0.0, high = 0.5;
-  for (const auto* values : {&commanded, &measured}) {
-    for (const double value : *values) {
-      if (!std::isnan(value)) low = std::min(low, value), high = std::max(high, value);
-    }
-  }
-  const double spare = 0.06 * (high - low);
-  SvgChart chart(
-      kWidthPx, 230, {0.0, trace.duration_s(), "time [s]"},
-      {low - spare, high + spare, wheel == Wheel::left ? "left wheel [m/s]" : "right wheel [m/s]"});
-  const auto time_s = times(trace);
-  chart.line(time_s, measured, kLeft, "measured");
-  chart.line(time_s, commanded, kBad, "commanded");
-  return chart.text();
+  return speeds_chart(
+      trace, wheel == Wheel::left ? "left wheel [m/s]" : "right wheel [m/s]",
+      {"measured", kLeft, column(trace, [&](const TickTrace& tick) { return side(tick.measured); })},
+      {"commanded", kBad, column(trace, [&](const TickTrace& tick) { return side(tick.commanded); })});
+}
+
+std::string ground_chart(const RunTrace& trace, Wheel wheel) {
+  const auto index = static_cast<std::size_t>(wheel);
+  return speeds_chart(
+      trace, wheel == Wheel::left ? "left wheel [m/s]" : "right wheel [m/s]",
+      {"of the wheel", kLeft,
+       column(trace, [&](const TickTrace& tick) { return tick.loss[index].wheel_mps; })},
+      {"over the ground", kGood,
+       column(trace, [&](const TickTrace& tick) { return tick.loss[index].ground_mps; })});
 }
 
 std::string road_chart(const RunTrace& trace) {

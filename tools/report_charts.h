@@ -16,6 +16,10 @@ std::string state_chart(const RunTrace& trace);
 /// Commanded against measured speed of one wheel.
 std::string speed_chart(const RunTrace& trace, Wheel wheel);
 
+/// Speed of one wheel against that of the vehicle over the ground under it, as the camera sees it; gaps where it does
+/// not.
+std::string ground_chart(const RunTrace& trace, Wheel wheel);
+
 /// Confidence in the road over time, a gap where none was seen.
 std::string road_chart(const RunTrace& trace);
 

@@ -210,7 +210,9 @@ void write_page(const ReportFolder& folder, const std::string& log, ReplayRun& r
                               key(kStale, "road") + key(kPaper, "its middle"));
     page += road_chart(trace);
   }
-  section.begin("Slip", "Spectrum of each motor current over time, relative to its mean.");
+  section.begin("Slip", "Each wheel against the ground, which tells slip while it is seen; below, the spectrum of each motor "
+                        "current over time, relative to its mean.");
+  if (run.configuration().ground_slip.enabled) page += ground_chart(trace, Wheel::left) + ground_chart(trace, Wheel::right);
   add_spectrograms(page, folder, run, trace);
   section.begin("Timing", run.source().recorded_ticks() ? "As the recorded run measured it."
                                                         : "As this replay measured it.");

@@ -31,9 +31,11 @@ void RunTrace::add(ReplayRun& run) {
   tick.commanded = run.decision().command;
   tick.measured = measured_speeds(robot.sensed());
   tick.step_ms = tick.latency_ms = kNan;
-  const SlipReport& slip = robot.senses().slip_detector().report();
-  for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel)
-    tick.slipping[wheel] = slip.wheels[wheel].slipping;
+  const SlipWatch& slip = robot.senses().slip();
+  for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {
+    tick.slipping[wheel] = slip.slipping(static_cast<Wheel>(wheel));
+    tick.loss[wheel] = slip.ground().known ? slip.ground().wheels[wheel] : WheelLoss{false, kNan, kNan, kNan};
+  }
   if (!ticks.empty()) {
     add_timing(input.timing);
     distance_m += std::abs(pose.v_mps) * (tick.time_s - ticks.back().time_s);
@@ -53,7 +55,7 @@ void RunTrace::add(ReplayRun& run) {
   tick.road_confidence = followed ? road->estimate().confidence : kNan;
   if (robot.plan().reached && !reached_s) reached_s = tick.time_s;
   ticks.push_back(tick);
-  add_spectra(robot.senses().slip_detector());
+  add_spectra(robot.senses().slip().currents());
 }
 
 /// A tick's input tells how the tick before it went.

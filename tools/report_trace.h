@@ -25,6 +25,7 @@ struct TickTrace {
   double step_ms = 0.0;   ///< of this tick's step; NaN where not known
   double latency_ms = 0.0;
   std::array<bool, kWheelCount> slipping{};
+  std::array<WheelLoss, kWheelCount> loss{};  ///< NaN while the ground is not known
   double road_confidence = 0.0;  ///< NaN where no road is told
 };
 

@@ -197,6 +197,7 @@ TEST(ThesisConfiguration, HasTheThesisNumbers) {
   EXPECT_EQ(thesis.mixture.start_components, 16);
   EXPECT_EQ(thesis.mixture.gate, 0.9);
   EXPECT_EQ(thesis.slip.threshold, 0.25);
+  EXPECT_FALSE(thesis.ground_slip.enabled);
   EXPECT_EQ(thesis.evidence_grid.resolution_m, 0.2);
 }
 

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <optional>
 #include <string>
 
 #include "config/exit_code.h"
@@ -80,6 +81,29 @@ TEST(SimRun, TouchIsTracedBackAndTheLogVerifies) {
   EXPECT_EQ(run.summary().touches, 1);
   EXPECT_GE(touches.front().traced.frames_back, kFramesBack);
   EXPECT_GT(touches.front().report.pixels, 0);
+}
+
+/// The goal lies beyond mud, uphill. The robot tells slip while its wheels slip, soon, and backs out.
+TEST(SimRun, SlipIsToldAndBackedOutOf) {
+  Course course = load_course(HINDSIGHT_SOURCE_DIR "/sim_replay/courses/slippery_slope.toml");
+  course.course.length_m = 20.0;
+  course.mud.patches = 1;
+  course.mud.from_m = 4.0, course.mud.to_m = 5.0, course.mud.aside_m = 0.0;
+  SimRun run({.configuration = {}, .world = build_world(course, kSeed), .seed = kSeed, .mixture = {}});
+  std::optional<Time> slipped, told, backed_up;
+  for (int tick = 0; tick < kMostTicks && !backed_up; ++tick) {
+    run.step(SimFault::none, [&](Time now, const SimVehicle& vehicle, const auto&) {
+      // The wheels may spin for an instant as it starts.
+      if (!slipped && tick > 20 && vehicle.slipping()) slipped = now;
+    });
+    const Time now = run.input().now;
+    if (!told && run.robot().sensed().slipping) told = now;
+    if (run.robot().plan().behaviour == Behaviour::back_up) backed_up = now;
+  }
+  ASSERT_TRUE(slipped && told && backed_up);
+  EXPECT_GE(*told, *slipped);
+  EXPECT_LT(to_seconds(*told - *slipped), 1.0);
+  EXPECT_LT(to_seconds(*backed_up - *told), 2.5);
 }
 
 }  // namespace
