@@ -78,6 +78,9 @@ void add_slip(CLI::App& experiments, Run& run) {
   command->add_option("--hours", e->hours, "On ordinary ground [h]")
       ->capture_default_str()
       ->check(CLI::PositiveNumber);
+  command->add_option("--seen-hours", e->seen_hours, "Rendered, besides [h]")
+      ->capture_default_str()
+      ->check(CLI::PositiveNumber);
   command->add_option("--seed", e->seed, "Of the first drive; the others follow")->capture_default_str();
   command->add_option(
       "--csv", e->recordings,

@@ -50,7 +50,7 @@ SlipTrace drive_for_slip(const Configuration& configuration, const World& world,
   VehicleDecoder decoder(dbc, configuration.can_roles);
   Driver driver(world, configuration.vehicle.track_width_m, seed);
   const Time tick = from_seconds(1.0 / configuration.robot.loop_rate_hz);
-  SlipTrace trace{.begin = kStart, .currents = {}, .ticks = {}, .slips = {}};
+  SlipTrace trace{.begin = kStart};
   TickInput heard;
   WheelCommand command;
   Time next = kStart + tick;
@@ -60,15 +60,19 @@ SlipTrace drive_for_slip(const Configuration& configuration, const World& world,
     vehicle.step(now, command, heard);
     trace.see_truth(now, vehicle.slipping());
     for (const CanFrame& frame : heard.can) {
-      if (!decoder.decode(frame).has(SignalGroup::currents)) continue;
-      trace.currents.push_back(
-          {decoder.signals().currents_stamp, decoder.signals().left_a, decoder.signals().right_a});
+      const SignalGroups groups = decoder.decode(frame);
+      const VehicleSignals& told = decoder.signals();
+      if (groups.has(SignalGroup::wheels))
+        trace.speeds.push_back({told.wheels_stamp, told.left_mps, told.right_mps});
+      if (groups.has(SignalGroup::currents))
+        trace.currents.push_back({told.currents_stamp, told.left_a, told.right_a});
     }
     if (now < next) continue;
     next += tick;
     const VehicleSignals& signals = decoder.signals();
-    trace.ticks.push_back(
-        {now, {{{command.left_mps, signals.left_mps}, {command.right_mps, signals.right_mps}}}});
+    trace.ticks.push_back({now,
+                           {{{command.left_mps, signals.left_mps}, {command.right_mps, signals.right_mps}}},
+                           vehicle.pose()});
     command = driver.drive(vehicle, now);
   }
   return trace;

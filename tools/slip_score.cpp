@@ -12,17 +12,6 @@ namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
-/// Slips that begin in quiet; the detector has forgotten what was before.
-std::vector<SlipSpan> fresh_slips(const SlipTrace& trace) {
-  std::vector<SlipSpan> fresh;
-  Time quiet_from = trace.begin + SlipTrace::kAftermath;
-  for (const SlipSpan& slip : trace.slips) {
-    if (slip.begin >= quiet_from) fresh.push_back(slip);
-    quiet_from = slip.end + SlipTrace::kAftermath;
-  }
-  return fresh;
-}
-
 double quiet_hours(const SlipTrace& trace) {
   if (trace.ticks.empty()) return 0.0;
   Time quiet{}, from = trace.begin;
@@ -34,17 +23,21 @@ double quiet_hours(const SlipTrace& trace) {
   return to_seconds(quiet) / 3600.0;
 }
 
-/// The times at which the detector said slip, tick by tick.
-std::vector<bool> listen(const SlipDetectorParams& params, double current_rate_hz, const SlipTrace& trace) {
-  SlipDetector detector(params, current_rate_hz);
+/// Whether slip was told, tick by tick.
+std::vector<bool> watch(const SlipWatchParams& params, double current_rate_hz, double track_width_m,
+                        const SlipTrace& trace) {
+  SlipWatch slip(params.currents, current_rate_hz, params.ground, track_width_m);
   std::vector<bool> told;
   auto current = trace.currents.begin();
+  auto speed = trace.speeds.begin();
+  auto step = trace.steps.begin();
   for (const SlipTrace::Tick& tick : trace.ticks) {
-    for (; current != trace.currents.end() && current->stamp <= tick.now; ++current) {
-      detector.add_current(Wheel::left, current->stamp, current->left_a);
-      detector.add_current(Wheel::right, current->stamp, current->right_a);
-    }
-    told.push_back(detector.update(tick.now, tick.motion).slipping);
+    for (; current != trace.currents.end() && current->stamp <= tick.now; ++current)
+      slip.add_currents(current->stamp, current->left_a, current->right_a);
+    for (; speed != trace.speeds.end() && speed->stamp <= tick.now; ++speed)
+      slip.add_speeds(speed->stamp, speed->left_mps, speed->right_mps);
+    for (; step != trace.steps.end() && step->to <= tick.now; ++step) slip.add_step(*step);
+    told.push_back(slip.update(tick.now, tick.motion));
   }
   return told;
 }
@@ -80,6 +73,16 @@ void SlipTrace::see_truth(Time now, bool slipping) {
   slips.back().end = now;
 }
 
+std::vector<SlipSpan> SlipTrace::fresh_slips() const {
+  std::vector<SlipSpan> fresh;
+  Time quiet_from = begin + kAftermath;
+  for (const SlipSpan& slip : slips) {
+    if (slip.begin >= quiet_from) fresh.push_back(slip);
+    quiet_from = slip.end + kAftermath;
+  }
+  return fresh;
+}
+
 double SlipScore::share_told_within(double seconds) const {
   const std::vector<double> all = delays(*this, seconds);
   const auto told = std::count_if(all.begin(), all.end(), [&](double delay) { return delay <= seconds; });
@@ -92,10 +95,10 @@ double SlipScore::delay_s(double part, double lasted_s) const {
   return quantile_of(delays(*this, lasted_s), part);
 }
 
-void score_slip(const SlipDetectorParams& params, double current_rate_hz, const SlipTrace& trace,
-                SlipScore& score) {
-  const std::vector<bool> told = listen(params, current_rate_hz, trace);
-  for (const SlipSpan& slip : fresh_slips(trace)) {
+void score_slip(const SlipWatchParams& params, double current_rate_hz, double track_width_m,
+                const SlipTrace& trace, SlipScore& score) {
+  const std::vector<bool> told = watch(params, current_rate_hz, track_width_m, trace);
+  for (const SlipSpan& slip : trace.fresh_slips()) {
     score.slips.push_back({to_seconds(slip.end - slip.begin), delay_of(slip, trace, told)});
   }
   for (std::size_t i = 1; i < told.size(); ++i) {

@@ -1,15 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The Hindsight authors
 // SPDX-License-Identifier: BSD-2-Clause
 //
-// How well a slip detector tells when wheels slip: a drive's motor currents with the truth beside them, and
-// what a detector makes of it.
+// How well slip is told: what is sensed in a drive with the truth beside it, and what a SlipWatch makes of
+// it.
 #pragma once
 
 #include <array>
 #include <span>
 #include <vector>
 
-#include "perception/slip_detector.h"
+#include "perception/slip_watch.h"
+#include "sim_replay/world/world.h"
 #include "tools/motor_csv.h"
 
 namespace hindsight::tools {
@@ -20,7 +21,13 @@ struct SlipSpan {
   Time end{};
 };
 
-/// What a detector hears in a drive, and the truth. Times ascend.
+/// How slip is told.
+struct SlipWatchParams {
+  SlipDetectorParams currents;
+  GroundSlipParams ground;
+};
+
+/// What is sensed in a drive, and the truth. Times ascend.
 struct SlipTrace {
   static constexpr Time kJoin = from_seconds(0.5);
   /// So long after a slip, what a detector says is about that slip, whatever its window.
@@ -31,17 +38,27 @@ struct SlipTrace {
     double left_a = 0.0;
     double right_a = 0.0;
   };
+  struct Speeds {
+    Time stamp{};
+    double left_mps = 0.0;
+    double right_mps = 0.0;
+  };
   struct Tick {
     Time now{};
     std::array<WheelMotion, kWheelCount> motion;
+    BodyPose X_WB{};  ///< truth
   };
   Time begin{};
-  std::vector<Currents> currents;
-  std::vector<Tick> ticks;  ///< when the detector is asked
-  std::vector<SlipSpan> slips;
+  std::vector<Currents> currents{};
+  std::vector<Speeds> speeds{};
+  std::vector<GroundStep> steps{};  ///< between ticks next to each other, where somebody looked
+  std::vector<Tick> ticks{};        ///< when slip is asked for
+  std::vector<SlipSpan> slips{};
 
   /// The truth at `now`; call in the order of time.
   void see_truth(Time now, bool slipping);
+  /// Slips that begin in quiet: what was before is forgotten.
+  std::vector<SlipSpan> fresh_slips() const;
 };
 
 /// What became of one slip.
@@ -64,9 +81,10 @@ struct SlipScore {
   double false_alarms_per_hour() const { return quiet_h > 0.0 ? false_alarms / quiet_h : 0.0; }
 };
 
-/// Adds what the detector makes of a drive. `current_rate_hz` as RobotParams has it.
-void score_slip(const SlipDetectorParams& params, double current_rate_hz, const SlipTrace& trace,
-                SlipScore& score);
+/// Adds what is told of a drive. `current_rate_hz` and `track_width_m` as RobotParams and VehicleParams have
+/// them.
+void score_slip(const SlipWatchParams& params, double current_rate_hz, double track_width_m,
+                const SlipTrace& trace, SlipScore& score);
 
 /// Rising edges of the slip state over a recording of `rate_hz`, which begins without slip. Recordings hold
 /// no commands: a wheel that turns was told to; one of unknown speed is taken to turn.

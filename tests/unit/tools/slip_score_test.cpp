@@ -13,6 +13,7 @@ namespace hindsight::tools {
 namespace {
 
 constexpr double kRate_hz = 20.0;
+constexpr double kTrackWidth_m = 0.6;
 
 /// A minute of steady load at 10 ticks a second, currents at 20 Hz; the left motor swings at 3 Hz between the
 /// times given, and the truth says slip between others.
@@ -31,7 +32,7 @@ SlipTrace trace_of(double swing_from_s, double swing_to_s, double slip_from_s, d
 
 SlipScore score_of(const SlipTrace& trace) {
   SlipScore score;
-  score_slip(SlipDetectorParams{}, kRate_hz, trace, score);
+  score_slip({}, kRate_hz, kTrackWidth_m, trace, score);
   return score;
 }
 
