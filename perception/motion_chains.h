@@ -32,6 +32,7 @@ class FlowChains {
   /// pair's place in the span last pushed.
   std::span<const PointPair> pairs(int gap);
   std::size_t index_of(std::size_t pair) const { return index_[pair]; }
+  std::size_t size() const { return chains_.size(); }
 
  private:
   struct Chain {

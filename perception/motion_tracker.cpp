@@ -13,6 +13,7 @@ constexpr double kSmoothing = 0.1;
 /// A larger gap must pay by so much: it follows fewer features, and what they show is older.
 constexpr double kGain = 1.25;
 constexpr double kFewestShare = 0.3;  ///< of the features that one frame back has
+constexpr float kStandsOut = 6.0F;    ///< deviations of a static feature
 
 }  // namespace
 
@@ -25,6 +26,7 @@ MotionTracker::MotionTracker(const MotionParams& params, int width_px, int heigh
       clusters_(params.kernel_part * width_px, params.kernel_part * height_px, max_vectors),
       objects_(params.tracker, params.filter, static_cast<std::uint64_t>(params.seed), width_px, height_px) {
   p_moving_.reserve(max_vectors), features_.reserve(max_vectors), cluster_of_.reserve(max_vectors);
+  followed_.reserve(max_vectors);
 }
 
 void MotionTracker::reset() {
@@ -96,10 +98,33 @@ int MotionTracker::choose_gap(int longest) const {
   return best;
 }
 
+/// What has come into view within the gap, as fast things have all the time, is compared over one frame.
 void MotionTracker::collect_features(int gap) {
   if (gap == 1) compare_over(1);  // the survey has overwritten it
   report_.parallax_features = parallax_.excuse(pairs_, report_.compared, width_px_, p_moving_);
-  const Eigen::Matrix3d H_now_then = report_.compared.H_then_now.inverse();
+  add_features(report_.compared, gap);
+  if (gap == 1) return;
+  followed_.assign(chains_.size(), false);
+  for (std::size_t i = 0; i < pairs_.size(); ++i) followed_[chains_.index_of(i)] = true;
+  const EgoMotion motion = compare_over(1);
+  parallax_.excuse(pairs_, motion, width_px_, p_moving_);
+  for (std::size_t i = 0; i < pairs_.size(); ++i) {
+    if (followed_[chains_.index_of(i)] || !stands_out(pairs_[i], motion)) p_moving_[i] = 0.0F;
+  }
+  add_features(motion, 1);
+}
+
+/// One frame's flow of a corner that was not seen before is easily wrong: its motion must be beyond errors of
+/// the flow, and beyond what parallax could be.
+bool MotionTracker::stands_out(const PointPair& pair, const EgoMotion& motion) const {
+  const Point2f on_plane = transformed(motion.H_then_now, pair.now_px);
+  const auto parallax_px =
+      static_cast<float>(params_.parallax.parallax_part) * distance_px(on_plane, pair.now_px);
+  return distance_px(on_plane, pair.then_px) > parallax_px + kStandsOut * static_cast<float>(motion.noise_px);
+}
+
+void MotionTracker::add_features(const EgoMotion& motion, int gap) {
+  const Eigen::Matrix3d H_now_then = motion.H_then_now.inverse();
   for (std::size_t i = 0; i < pairs_.size(); ++i) {
     if (p_moving_[i] < 0.5F) continue;
     const Point2f expected = transformed(H_now_then, pairs_[i].then_px), now = pairs_[i].now_px;

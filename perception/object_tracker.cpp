@@ -18,14 +18,30 @@ constexpr float kSmallestHalf_px = 4.0F;
 constexpr float kReachOfLost = 1.5F;
 constexpr double kOffItsPlace = 0.4;  ///< way that takes an object off its own place, in parts of its size
 constexpr double kUsualShare = 50.0;  ///< a bin of p(v, theta) that holds a fiftieth is as usual as can be
-constexpr float kHeadingShare = 0.12F;
-constexpr float kSteadyNew = 0.7F, kSteady = 0.25F;  ///< see Object::heading
+constexpr float kSteadyFrames = 15.0F;
+constexpr float kSteadyNew = 0.85F, kSteady = 0.4F;  ///< see Object::steadiness()
 constexpr int kUnseenNew = 2;          ///< frames that an object not yet confirmed may be unseen for
 constexpr double kStraightness = 0.4;  ///< way made over way that its speed promises
+
+/// A thing is at most as long as it moves in so many frames (see link_reach_px).
+constexpr float kLongest_frames = 8.0F;
+
+float longest_px(Point2f v_px) { return kLongest_frames * std::hypot(v_px.x_px, v_px.y_px); }
+
+bool covers(const Track& track, Point2f p) {
+  return std::abs(p.x_px - track.at_px.x_px) <= track.half_size_px.x_px &&
+         std::abs(p.y_px - track.at_px.y_px) <= track.half_size_px.y_px;
+}
 
 bool roughly_alike(Point2f a, Point2f b) {
   const float speed = std::max(std::hypot(a.x_px, a.y_px), std::hypot(b.x_px, b.y_px));
   return distance_px(a, b) < 1.0F + 0.6F * speed;
+}
+
+/// As two ends of one thing do that does not turn.
+bool rigidly_alike(Point2f a, Point2f b) {
+  const float speed = std::max(std::hypot(a.x_px, a.y_px), std::hypot(b.x_px, b.y_px));
+  return distance_px(a, b) < 0.3F + 0.15F * speed;
 }
 
 }  // namespace
@@ -111,7 +127,18 @@ void ObjectTracker::look_at_own(Object& object) {
     v.x_px += f.probability * f.v_px.x_px, v.y_px += f.probability * f.v_px.y_px;
     mass += f.probability;
   }
-  if (mass > 0.0F) object.filter.look_at({at.x_px / mass, at.y_px / mass}, {v.x_px / mass, v.y_px / mass});
+  if (mass <= 0.0F) return;
+  v = {v.x_px / mass, v.y_px / mass};
+  object.filter.look_at({at.x_px / mass, at.y_px / mass}, v);
+  remember(object, v);
+}
+
+void ObjectTracker::remember(Object& object, Point2f v_px) {
+  const float share = std::max(1.0F / kSteadyFrames, 1.0F / static_cast<float>(object.seen_frames + 1));
+  object.mean_v_px.x_px += share * (v_px.x_px - object.mean_v_px.x_px);
+  object.mean_v_px.y_px += share * (v_px.y_px - object.mean_v_px.y_px);
+  object.mean_v2_px2 += share * (v_px.x_px * v_px.x_px + v_px.y_px * v_px.y_px - object.mean_v2_px2);
+  object.flown_px.x_px += v_px.x_px, object.flown_px.y_px += v_px.y_px;
 }
 
 void ObjectTracker::weigh(std::span<const MovingFeature> features, const MotionPrior* prior) {
@@ -145,40 +172,39 @@ void ObjectTracker::weigh(std::span<const MovingFeature> features, const MotionP
       };
       smooth(track.half_size_px.x_px, deviation.x_px), smooth(track.half_size_px.y_px, deviation.y_px);
     }
-    Point2f way{};
-    if (const float speed = std::hypot(track.v_px.x_px, track.v_px.y_px); seen && speed > 0.0F) {
-      way = {track.v_px.x_px / speed, track.v_px.y_px / speed};
-    }
-    const float share = std::max(kHeadingShare, 1.0F / static_cast<float>(track.age_frames));
-    object.heading.x_px += share * (way.x_px - object.heading.x_px);
-    object.heading.y_px += share * (way.y_px - object.heading.y_px);
     judge(object, expected(track.at_px, track.v_px, prior));
   }
 }
 
-float ObjectTracker::steadiness(const Object& object) {
-  return std::hypot(object.heading.x_px, object.heading.y_px);
+float ObjectTracker::Object::steadiness() const {
+  return mean_v2_px2 > 0.0F ? std::hypot(mean_v_px.x_px, mean_v_px.y_px) / std::sqrt(mean_v2_px2) : 0.0F;
 }
 
-/// Errors of the flow point anywhere, and are gone in the next frame. What covers and uncovers the ground
-/// seems to move, but stays. What moves gets off its place.
+/// Errors of the flow point anywhere, and are gone in the next frame. What covers and uncovers the ground, or
+/// stands above it, seems to move, to and fro with the camera, but stays. What moves keeps on, and gets off
+/// its place, by both measures of its way: features that are found now at one end of a roof and now at the
+/// other make the place jump, but do not fly there.
 void ObjectTracker::judge(Object& object, double trust) {
   const Track& track = object.track;
-  const double way_px = distance_px(track.at_px, object.place_px);
+  const double way_px = std::min(distance_px(track.at_px, object.place_px),
+                                 std::hypot(object.flown_px.x_px, object.flown_px.y_px));
   const double size_px = track.half_size_px.x_px + track.half_size_px.y_px;
   const bool off_its_place =
       track.unseen_frames == 0 &&
       way_px >= (1.5 - trust) * std::max(params_.confirm_travel_px, kOffItsPlace * size_px);
   ++object.dwell_frames;
   if (!object.confirmed) {
+    const long frames = std::lround((1.5 - trust) * params_.confirm_frames);
     const double promised_px =
         std::hypot(track.v_px.x_px, track.v_px.y_px) * static_cast<float>(track.age_frames);
-    object.confirmed = off_its_place && object.seen_frames >= params_.confirm_frames &&
-                       way_px >= kStraightness * promised_px && steadiness(object) >= kSteadyNew;
+    object.confirmed = off_its_place && object.seen_frames >= frames &&
+                       way_px >= kStraightness * promised_px && object.steadiness() >= kSteadyNew;
     object.alive = object.confirmed ||
                    (track.unseen_frames <= kUnseenNew && object.dwell_frames <= params_.dwell_frames);
   }
-  if (object.confirmed && off_its_place) object.place_px = track.at_px, object.dwell_frames = 0;
+  if (object.confirmed && off_its_place && object.steadiness() >= kSteady) {
+    object.place_px = track.at_px, object.dwell_frames = 0, object.flown_px = {};
+  }
   if (track.unseen_frames > params_.forget_frames) object.alive = false;
 }
 
@@ -187,21 +213,30 @@ void ObjectTracker::merge() {
   for (Object& a : objects_) {
     for (Object& b : objects_) {
       if (&a == &b || !a.alive || !b.alive || a.track.id > b.track.id || a.track.unseen_frames > 0) continue;
-      const float reach_px = link_reach_px(static_cast<float>(params_.merge_distance_px), a.track.v_px);
-      const bool one = a.cluster >= 0 && a.cluster == b.cluster && !b.confirmed;
-      if (roughly_alike(a.track.v_px, b.track.v_px) &&
-          distance_px(a.track.at_px, b.track.at_px) < (one ? 2.0F : 1.0F) * reach_px) {
-        b.alive = false;
-      }
+      if (one_thing(a, b)) b.alive = false;
     }
   }
 }
 
+bool ObjectTracker::one_thing(const Object& a, const Object& b) const {
+  const Track &one = a.track, &other = b.track;
+  if (!roughly_alike(one.v_px, other.v_px)) return false;
+  const float apart_px = distance_px(one.at_px, other.at_px);
+  const float reach_px = link_reach_px(static_cast<float>(params_.merge_distance_px), one.v_px);
+  const bool linked = a.cluster >= 0 && a.cluster == b.cluster;
+  return apart_px < (linked ? 2.0F : 1.0F) * reach_px || covers(one, other.at_px) ||
+         (rigidly_alike(one.v_px, other.v_px) && apart_px < longest_px(one.v_px));
+}
+
+/// Has this peak an object that is seen: one that it is linked to, or near, or the other end of?
 bool ObjectTracker::claimed(std::size_t cluster, const MotionCluster& peak) const {
   return std::any_of(objects_.begin(), objects_.end(), [&](const Object& object) {
-    if (!object.alive || object.track.unseen_frames > 0) return false;
+    const Track& track = object.track;
+    if (!object.alive || track.unseen_frames > 0) return false;
+    const float apart_px = distance_px(track.at_px, peak.at_px);
     return object.cluster == static_cast<int>(cluster) ||
-           distance_px(object.track.at_px, peak.at_px) < static_cast<float>(params_.spawn_distance_px);
+           apart_px < static_cast<float>(params_.spawn_distance_px) ||
+           (object.confirmed && roughly_alike(track.v_px, peak.v_px) && apart_px < longest_px(peak.v_px));
   });
 }
 
@@ -239,7 +274,7 @@ void ObjectTracker::spawn(std::span<const MotionCluster> clusters, const MotionP
       object = &*free;
       object->alive = true, object->confirmed = false;
       object->seen_frames = object->dwell_frames = 0;
-      object->heading = {};
+      object->mean_v_px = {}, object->mean_v2_px2 = 0.0F;
       object->place_px = peak.at_px;
       object->track = {};
       object->track.id = next_id_++;
@@ -248,6 +283,7 @@ void ObjectTracker::spawn(std::span<const MotionCluster> clusters, const MotionP
     object->filter.start(peak.at_px, peak.v_px, cv::RNG(random_.next()));
     object->cluster = static_cast<int>(c);
     object->place_px = peak.at_px;  // having been found again elsewhere is no way made
+    object->flown_px = {};
     object->track.at_px = object->last_seen_px = object->filter.at_px();
     object->track.v_px = object->filter.v_px();
     object->track.unseen_frames = 0;
@@ -259,7 +295,7 @@ void ObjectTracker::tell() {
   for (std::size_t k = 0; k < objects_.size(); ++k) {
     const Object& object = objects_[k];
     if (!object.alive || !object.confirmed || object.track.unseen_frames > params_.coast_frames) continue;
-    if (object.dwell_frames <= params_.dwell_frames && steadiness(object) >= kSteady) shown_.push_back(k);
+    if (object.dwell_frames <= params_.dwell_frames) shown_.push_back(k);
   }
   std::sort(shown_.begin(), shown_.end(),
             [this](std::size_t a, std::size_t b) { return objects_[a].track.id < objects_[b].track.id; });

@@ -84,24 +84,29 @@ class ObjectTracker {
     explicit Object(const ParticleFilterParams& params) : filter(params, 0) {}
     ParticleFilter filter;
     Track track;
-    Point2f place_px;      ///< where it was when it last got off its place, carried along with the ground
-    int dwell_frames = 0;  ///< frames since then
-    Point2f heading;       ///< mean of its directions, 0 where unseen: long if it keeps on and is seen
+    Point2f place_px;          ///< where it was when it last got off its place, carried along with the ground
+    int dwell_frames = 0;      ///< frames since then
+    Point2f flown_px;          ///< and the way that its features' motion since then sums up to
+    Point2f mean_v_px;         ///< of what its features showed of late,
+    float mean_v2_px2 = 0.0F;  ///< and of its square
     Point2f last_seen_px;
     int seen_frames = 0;
     bool alive = false;
     bool confirmed = false;
     int cluster = -1;
+    /// Of its motion, 0 to 1: mean velocity over root mean square.
+    float steadiness() const;
   };
 
   void predict(const Eigen::Matrix3d& H_now_then, const MotionPrior* prior);
   void assign(std::span<const MovingFeature> features, std::span<const int> cluster_of);
   void weigh(std::span<const MovingFeature> features, const MotionPrior* prior);
   void look_at_own(Object& object);
+  static void remember(Object& object, Point2f v_px);
   void judge(Object& object, double trust);
   static double expected(Point2f at_px, Point2f v_px, const MotionPrior* prior);
   void merge();
-  static float steadiness(const Object& object);
+  bool one_thing(const Object& a, const Object& b) const;
   void spawn(std::span<const MotionCluster> clusters, const MotionPrior* prior);
   bool claimed(std::size_t cluster, const MotionCluster& peak) const;
   Object* lost_near(const MotionCluster& peak);

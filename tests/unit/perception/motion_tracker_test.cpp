@@ -15,6 +15,7 @@ constexpr int kWidth = 640, kHeight = 480;
 struct Thing {
   double x_px, y_px, vx_px, vy_px;  ///< over the ground
   double half_px = 10.0;
+  int side = 4;  ///< corners along each
 };
 
 /// Flow of a ground that the camera passes over with (3, -1) px/frame, and of things that move over it.
@@ -32,9 +33,10 @@ class FlowScene {
     for (auto& [x, y] : ground_) add(flow, x += 3.0, y -= 1.0, -3.0, 1.0);
     for (Thing& t : things) {
       t.x_px += 3.0 + t.vx_px, t.y_px += -1.0 + t.vy_px;
-      for (int i = 0; i < 16; ++i) {
-        const double x = t.x_px + t.half_px * (i % 4 - 1.5) / 1.5,
-                     y = t.y_px + t.half_px * (i / 4 - 1.5) / 1.5;
+      const double middle = 0.5 * (t.side - 1);
+      for (int i = 0; i < t.side * t.side; ++i) {
+        const double x = t.x_px + t.half_px * (i % t.side - middle) / middle,
+                     y = t.y_px + t.half_px * (i / t.side - middle) / middle;
         add(flow, x, y, -3.0 - t.vx_px, 1.0 - t.vy_px);
       }
     }
@@ -82,6 +84,75 @@ TEST(MotionTracker, TellsNothingWhereNothingMoves) {
   FlowScene scene(31);
   MotionTracker motion = tracker();
   for (int frame = 0; frame < 60; ++frame) EXPECT_TRUE(motion.update(scene.next()).tracks.empty()) << frame;
+}
+
+/// What stands above the ground sways over it as the camera sways, 0.5 px a frame at most and 5 px to and
+/// fro.
+TEST(MotionTracker, DoesNotTellWhatOnlySwaysToAndFro) {
+  FlowScene scene(37);
+  scene.things = {{200, 300, 0.0, 0.0, 25.0}, {450, 200, 0.0, 0.0, 25.0}};
+  MotionTracker motion = tracker();
+  int told = 0;
+  for (int frame = 0; frame < 200; ++frame) {
+    for (Thing& t : scene.things) {
+      t.vx_px = 0.5 * std::sin(0.2 * frame), t.vy_px = 0.3 * std::sin(0.31 * frame);
+      t.x_px -= 3.0, t.y_px += 1.0;  // the camera keeps them in view, with its ground
+    }
+    told += static_cast<int>(motion.update(scene.next()).tracks.size());
+  }
+  EXPECT_LE(told, 20);  // of 400
+}
+
+/// A lorry is longer than the kernel of mean-shift, and shows corners at its ends alone.
+TEST(MotionTracker, TellsALongThingOnce) {
+  FlowScene scene(38);
+  scene.things = {{80, 300, 8.0, 0.0, 5.0}, {130, 300, 8.0, 0.0, 5.0}};
+  MotionTracker motion = tracker();
+  for (int frame = 0; frame < 30; ++frame) {
+    const auto tracks = motion.update(scene.next()).tracks;
+    if (frame < 15) continue;
+    EXPECT_EQ(tracks.size(), 1U) << frame;
+  }
+}
+
+/// With a gap of three frames it would be another three before its corners could be compared.
+TEST(MotionTracker, SeesAtOnceWhatComesIntoViewFast) {
+  FlowScene scene(39);
+  MotionParams params;
+  params.gap_frames = 3;
+  MotionTracker motion = tracker(params);
+  for (int frame = 0; frame < 10; ++frame) motion.update(scene.next());
+  scene.things = {{-20, 240, 9.0, 0.0}};
+  int in_view = 0;
+  for (int frame = 0; frame < 10; ++frame) {
+    motion.update(scene.next());
+    in_view += scene.things[0].x_px > scene.things[0].half_px;
+    EXPECT_TRUE(in_view != 2 || !motion.report().features.empty());
+    EXPECT_TRUE(in_view != 5 || motion.report().tracks.size() == 1U);
+  }
+  EXPECT_GE(in_view, 5);
+}
+
+/// As documented: what fills more than half of the view is the ground, and when it has gone, the ground is
+/// the ground again and what was told is forgotten.
+TEST(MotionTracker, TakesWhatFillsTheViewForTheGroundAsLongAsItDoes) {
+  FlowScene scene(40);
+  scene.things = {{320, 240, 1.0, 4.0, 250.0, 50}};
+  MotionTracker motion = tracker();
+  for (int frame = 0; frame < 12; ++frame) {
+    scene.things[0].x_px -= 4.0, scene.things[0].y_px -= 3.0;  // stays before the camera
+    const EgoMotion& ego = motion.update(scene.next()).ego;
+    ASSERT_TRUE(ego.valid) << frame;
+    const Point2f then = transformed(ego.H_then_now, {320.0F, 240.0F});
+    EXPECT_NEAR(then.x_px, 320.0 - 3.0 - 1.0, 0.3) << frame;
+    EXPECT_NEAR(then.y_px, 240.0 + 1.0 - 4.0, 0.3) << frame;
+  }
+  scene.things.clear();
+  for (int frame = 0; frame < 40; ++frame) motion.update(scene.next());
+  const Point2f then = transformed(motion.report().ego.H_then_now, {320.0F, 240.0F});
+  EXPECT_NEAR(then.x_px, 320.0 - 3.0, 0.3);
+  EXPECT_NEAR(then.y_px, 240.0 + 1.0, 0.3);
+  EXPECT_TRUE(motion.report().tracks.empty());
 }
 
 TEST(MotionTracker, FindsWhatWasHiddenAgainUnderItsNumber) {
