@@ -107,6 +107,7 @@ EgoMotion EgoMotionEstimator::estimate(std::span<const PointPair> pairs, std::sp
   if (pairs.size() < kFewestPairs) return motion;
   weight_.assign(pairs.size(), 1.0F);
   motion.H_then_now = params_.start == "samples" ? start_from_samples(pairs) : fit(pairs);
+  if (params_.start == "samples") motion.H_then_now = fit_best_half(pairs, motion.H_then_now);
   for (int i = 0;; ++i) {
     measure_residuals(pairs, motion.H_then_now);
     motion.residual_px = robust_deviation_px();
@@ -155,6 +156,22 @@ Eigen::Matrix3d EgoMotionEstimator::start_from_samples(std::span<const PointPair
   return best;
 }
 
+/// Concentration steps (Rousseeuw and Van Driessen 1999): six features and an affine model do not show what
+/// the camera's turning does to the picture, so that what is left of that would pass for noise, and a large
+/// mover with it.
+Eigen::Matrix3d EgoMotionEstimator::fit_best_half(std::span<const PointPair> pairs, Eigen::Matrix3d H) {
+  constexpr int kSteps = 3;
+  for (int step = 0; step < kSteps; ++step) {
+    measure_residuals(pairs, H);
+    sorted_px2_ = residual2_px2_;
+    const auto middle = sorted_px2_.begin() + static_cast<std::ptrdiff_t>(sorted_px2_.size() / 2);
+    std::nth_element(sorted_px2_.begin(), middle, sorted_px2_.end());
+    for (std::size_t i = 0; i < pairs.size(); ++i) weight_[i] = residual2_px2_[i] <= *middle ? 1.0F : 0.0F;
+    H = fit(pairs);
+  }
+  return H;
+}
+
 Eigen::Matrix3d EgoMotionEstimator::fit(std::span<const PointPair> pairs) const {
   return least_squares(
       pairs.size(), projective_, normaliser(pairs),
@@ -170,8 +187,8 @@ void EgoMotionEstimator::measure_residuals(std::span<const PointPair> pairs, con
   }
 }
 
-/// What the upper quartile says, which parallax makes larger than the median does; but not much more than that, since
-/// more than a quarter of the features may move by themselves.
+/// What the upper quartile says, which parallax makes larger than the median does; but not much more than
+/// that, since more than a quarter of the features may move by themselves.
 double EgoMotionEstimator::robust_deviation_px() {
   sorted_px2_ = residual2_px2_;
   const auto at = [this](double part) {

@@ -77,6 +77,7 @@ class EgoMotionEstimator {
 
  private:
   Eigen::Matrix3d start_from_samples(std::span<const PointPair> pairs);
+  Eigen::Matrix3d fit_best_half(std::span<const PointPair> pairs, Eigen::Matrix3d H);
   Eigen::Matrix3d fit(std::span<const PointPair> pairs) const;
   void measure_residuals(std::span<const PointPair> pairs, const Eigen::Matrix3d& H);
   double robust_deviation_px();

@@ -4,7 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
+#include <span>
+#include <vector>
 
 namespace hindsight {
 namespace {
@@ -69,9 +72,39 @@ TEST(EgoMotion, TheThesisAlphaOfExpTwoWouldCallEverythingMoving) {
   EXPECT_LT(EgoMotionEstimator(params, pairs.size()).estimate(pairs, p).static_share, 0.5);
 }
 
-TEST(EgoMotion, OneHugeMoverIsNoGround) {
-  // Three quarters of the view move alike: that is then the ground, as nothing in the flow says otherwise.
-  // But two motions of which none has half of the features are told as none.
+std::size_t told_moving(std::span<const float> p) {
+  return static_cast<std::size_t>(std::count_if(p.begin(), p.end(), [](float x) { return x > 0.5F; }));
+}
+
+/// The left `part` of the view moves 6 px on; these features come first.
+std::vector<PointPair> scene_with_huge_mover(double part, unsigned seed) {
+  auto pairs = scene(some_homography(), 400, 0, seed);
+  std::sort(pairs.begin(), pairs.end(),
+            [](const PointPair& a, const PointPair& b) { return a.now_px.x_px < b.now_px.x_px; });
+  for (std::size_t i = 0; i < static_cast<std::size_t>(part * 400.0); ++i) pairs[i].then_px.x_px += 6.0F;
+  return pairs;
+}
+
+TEST(EgoMotion, TheGroundIsWhatMoreThanHalfOfTheViewDoes) {
+  Eigen::Matrix3d mover = Eigen::Matrix3d::Identity();
+  mover(0, 2) = 6.0;
+  for (const double part : {0.1, 0.2, 0.25, 0.3, 0.35, 0.4, 0.6, 0.65, 0.7, 0.75, 0.8, 0.9}) {
+    const auto pairs = scene_with_huge_mover(part, 22);
+    std::vector<float> p(pairs.size());
+    const EgoMotion motion = EgoMotionEstimator({}, pairs.size()).estimate(pairs, p);
+    ASSERT_TRUE(motion.valid) << part;
+    const bool is_ground = part > 0.5;
+    const Eigen::Matrix3d truth = is_ground ? mover * some_homography() : some_homography();
+    EXPECT_LT(worst_error_px(motion.H_then_now, truth), 0.5) << part;
+    const auto huge = static_cast<std::size_t>(part * 400.0);
+    const std::size_t of_huge = told_moving(std::span(p).first(huge));
+    const std::size_t of_rest = told_moving(std::span(p).subspan(huge));
+    EXPECT_GE(is_ground ? of_rest : of_huge, (is_ground ? 400 - huge : huge) * 95 / 100) << part;
+    EXPECT_LE(is_ground ? of_huge : of_rest, (is_ground ? huge : 400 - huge) * 5 / 100) << part;
+  }
+}
+
+TEST(EgoMotion, ThreeMotionsOfWhichNoneHasHalfOfTheViewTellNothing) {
   auto pairs = scene(some_homography(), 300, 0, 22);
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     pairs[i].then_px.x_px += i % 3 == 0 ? 9.0F : (i % 3 == 1 ? -7.0F : 0.0F);
