@@ -158,7 +158,7 @@ void AerialRenderer::add_mover(std::vector<Quad>& quads, std::vector<Quad>& shad
                       lifted(centre + turned({length, -width}, turn), 0.0),
                       lifted(centre + turned({-length, -width}, turn), 0.0)},
                      &shadow_,
-                     0});
+                     mover.id});
 }
 
 void AerialRenderer::paint(const Quad& quad, const cv::Matx34d& projection, cv::Mat& picture,
@@ -208,20 +208,29 @@ AerialFrame AerialRenderer::render(const AerialCamera& camera, const AerialTraff
   cv::Mat ids(size, CV_32SC1, cv::Scalar(0)), alone(size, CV_32SC1), blank(size, CV_8UC3);
   for (const Quad& quad : quads) paint(quad, P, frame.bgr, &ids);
   for (const MoverState& mover : movers) {
-    // All of it, had nothing stood before it: to know which part is seen.
     std::vector<cv::Point2f> outline;
-    alone.setTo(0);
     for (const Quad& quad : quads) {
       if (quad.id != mover.id) continue;
       for (const cv::Vec3d& corner : quad.corners_m) outline.emplace_back(pixel(P, corner));
-      paint(quad, P, blank, &alone);
     }
-    const int all = cv::countNonZero(alone), seen = cv::countNonZero(ids == mover.id);
+    const cv::Rect box = cv::boundingRect(outline), in_view = box & cv::Rect({0, 0}, size);
+    if (in_view.empty()) continue;
+    // All of it, had nothing stood before it: to know which part is seen.
+    alone(in_view).setTo(0);
+    for (const Quad& quad : quads) {
+      if (quad.id == mover.id) paint(quad, P, blank, &alone);
+    }
+    const int all = cv::countNonZero(alone(in_view)), seen = cv::countNonZero(ids(in_view) == mover.id);
     if (all < kFewestPx) continue;
-    const cv::Rect2f box = cv::boundingRect(outline);
-    const cv::Point2f middle(box.x + 0.5F * box.width, box.y + 0.5F * box.height);
-    const bool counts = seen >= kSeen * all && cv::Rect2f({0, 0}, cv::Size2f(size)).contains(middle);
+    const cv::Point2d middle(box.x + 0.5 * box.width, box.y + 0.5 * box.height);
+    const bool counts = seen >= kSeen * all && cv::Rect2d({0, 0}, cv::Size2d(size)).contains(middle);
     frame.truth.push_back({mover.id, cv::Rect2d(box), counts});
+  }
+  for (const Quad& shadow : shadows) {
+    std::vector<cv::Point2f> outline;
+    for (const cv::Vec3d& corner : shadow.corners_m) outline.emplace_back(pixel(P, corner));
+    const cv::Rect2d box = cv::boundingRect(outline);
+    if (!(box & cv::Rect2d({0, 0}, cv::Size2d(size))).empty()) frame.truth.push_back({shadow.id, box, false});
   }
   Random random(noise_seed, 4);
   const auto shift = [&random](int most) { return static_cast<int>(random.uniform(0.0, most)); };

@@ -15,7 +15,8 @@
 namespace hindsight::tools {
 
 /// A picture and what moves in it. An object counts where it is seen: a third of it or more not hidden, and
-/// its middle in the picture.
+/// its middle in the picture. Its shadow moves too, but is not the object: a box of its own that does not
+/// count, so that a track over it is neither right nor over a part of the scene that stands still.
 struct AerialFrame {
   cv::Mat bgr;
   std::vector<TrueBox> truth;

@@ -111,9 +111,12 @@ void TrackScore::match(std::span<const Track> tracks, std::span<const TrueBox> b
   judged_ += settled ? objects : 0;
   sums_.fn += objects - static_cast<int>(std::count(box_taken.begin(), box_taken.end(), true));
   for (std::size_t t = 0; t < tracks.size(); ++t) {
-    const bool spared = !track_taken[t] && std::any_of(boxes.begin(), boxes.end(), [&](const TrueBox& box) {
-      return !box.counts && over(tracks[t], box);
-    });
+    const auto over_any = [&](bool that_count) {
+      return std::any_of(boxes.begin(), boxes.end(), [&](const TrueBox& box) {
+        return box.counts == that_count && over(tracks[t], box);
+      });
+    };
+    const bool spared = !track_taken[t] && over_any(false) && !over_any(true);
     over_something_.try_emplace(tracks[t].id, false);
     if (spared) over_something_[tracks[t].id] = true;
     told_ += !spared;

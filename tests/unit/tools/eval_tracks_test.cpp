@@ -102,6 +102,18 @@ TEST(TrackScore, CountsAsTheThesisDoes) {
   EXPECT_DOUBLE_EQ(f.false_tracks_per_100_frames, 100.0 / 5.0);
 }
 
+/// A car's shadow lies under it: what does not count must not hide a second track over the car.
+TEST(TrackScore, ATrackOverAShadowIsSparedButNotASecondOneOverTheObject) {
+  TrackTruth truth;
+  truth.complete = true;
+  const TrueBox car{1, {0, 0, 20, 20}, true}, shadow{1, {0, 0, 60, 20}, false};
+  truth.frames = {{car, shadow}};
+  TrackScore score(truth, 0);
+  score.add(std::vector{track(1, 10, 10), track(2, 12, 10), track(3, 50, 10)});
+  EXPECT_EQ(score.figures().tp, 1);
+  EXPECT_EQ(score.figures().fp, 1);
+}
+
 TEST(TrackScore, TheBestAssignmentIsThatOfAllPermutations) {
   std::mt19937 random(40);
   for (int round = 0; round < 50; ++round) {
