@@ -38,7 +38,7 @@ void report_activity(const ActivityExperiment& experiment, const ExperimentOutpu
   ResultTable table{{"map learned from", "accuracy", "MOTA", "IDF1", "TP", "TN", "FP", "FN",
                      "identity switches", "p against none"},
                     {}};
-  PngChart chart("Accuracy of tracking over objects in the training data", {0.0, 42.0, "objects"},
+  PngChart chart("Accuracy of tracking over objects in the training data", {0.0, 84.0, "objects"},
                  {0.5, 1.0, "accuracy"});
   std::vector<cv::Point2d> line;
   nlohmann::ordered_json json;

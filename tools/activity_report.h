@@ -13,8 +13,9 @@
 
 namespace hindsight::tools {
 
-inline constexpr std::array<int, 5> kObjects{0, 5, 10, 20, 40};  ///< that a map was learned from; 0: no map
-inline constexpr int kSingleFrames = 207;                        ///< of the video with one person
+inline constexpr std::array<int, 6> kObjects{0,  5,  10,
+                                             20, 40, 80};  ///< that a map was learned from; 0: no map
+inline constexpr int kSingleFrames = 207;                  ///< of the video with one person
 
 /// `worlds`: of each, "tracking" (by kObjects), "single", "registration", "roundabout",
 /// "taken_for_roundabout".

@@ -29,8 +29,9 @@
 namespace hindsight::tools {
 namespace {
 
-constexpr double kPerMinute = 40.0, kHeight_m = 38.0, kTilt_rad = 0.1, kBegin_s = 20.0;
-constexpr int kTrainingFrames = 600, kSettleFrames = 10;
+constexpr double kPerMinute = 40.0, kHeight_m = 38.0, kTilt_rad = 0.1;
+constexpr double kBegin_s = 60.0;  ///< traffic enters an empty world; by now who walks has got to its middle
+constexpr int kTrainingFrames = 1200, kSettleFrames = 10;
 constexpr double kSingleBefore_s = 7.0;
 const cv::Size kSize(AerialCamera::kWidth_px, AerialCamera::kHeight_px);
 
@@ -204,23 +205,22 @@ Json work(const ActivityExperiment& experiment, const ExperimentOutput& output, 
     return AerialTraffic(world, 16 * seed + which, kPerMinute, 400, {});
   };
   const auto somewhere = [&](double reach_m) {
-    return cv::Point2d(random.uniform(-reach_m, reach_m), random.uniform(-reach_m, reach_m));
+    const double x = random.uniform(-reach_m, reach_m), y = random.uniform(-reach_m, reach_m);
+    return cv::Point2d(x, y);
   };
   const double yaw = random.uniform(0.0, 2.0 * CV_PI);
+  const cv::Point2d over_t = somewhere(1.0), over_b = somewhere(3.0);
+  const double yaw_t = yaw + random.uniform(-0.05, 0.05), yaw_b = random.uniform(0.0, 2.0 * CV_PI);
   Learned a, b;
   train(AerialFlight(renderer, AerialCamera(16 * seed + 1, {0, 0}, kHeight_m, yaw, kTilt_rad), traffic(1),
                      kBegin_s),
         a);
   const std::vector<TrackFigures> figures =
-      test(AerialFlight(renderer,
-                        AerialCamera(16 * seed + 2, somewhere(1.0), kHeight_m,
-                                     yaw + random.uniform(-0.05, 0.05), kTilt_rad),
+      test(AerialFlight(renderer, AerialCamera(16 * seed + 2, over_t, kHeight_m, yaw_t, kTilt_rad),
                         traffic(2), kBegin_s),
            experiment.frames, a);
-  train(AerialFlight(renderer,
-                     AerialCamera(16 * seed + 3, somewhere(3.0), kHeight_m, random.uniform(0.0, 2.0 * CV_PI),
-                                  kTilt_rad),
-                     traffic(3), kBegin_s),
+  train(AerialFlight(renderer, AerialCamera(16 * seed + 3, over_b, kHeight_m, yaw_b, kTilt_rad), traffic(3),
+                     kBegin_s),
         b);
   const ActivityAlignment found = register_activity(a.map, b.map);
   Json json;
