@@ -26,7 +26,7 @@ MotionTracker::MotionTracker(const MotionParams& params, int width_px, int heigh
       clusters_(params.kernel_part * width_px, params.kernel_part * height_px, max_vectors),
       objects_(params.tracker, params.filter, static_cast<std::uint64_t>(params.seed), width_px, height_px) {
   p_moving_.reserve(max_vectors), features_.reserve(max_vectors), cluster_of_.reserve(max_vectors);
-  followed_.reserve(max_vectors);
+  p_moving_over_one_.reserve(max_vectors), followed_.reserve(max_vectors);
 }
 
 void MotionTracker::reset() {
@@ -58,6 +58,7 @@ void MotionTracker::compare() {
   report_.gap_frames = 0;
   report_.ego = compare_over(1);
   if (!report_.ego.valid) return;
+  p_moving_over_one_ = p_moving_;
   const int gap = params_.gap_frames > 0 ? params_.gap_frames : choose_gap(survey_gaps());
   report_.compared = gap > 1 ? compare_over(gap) : report_.ego;
   if (!report_.compared.valid) return;
@@ -98,20 +99,26 @@ int MotionTracker::choose_gap(int longest) const {
   return best;
 }
 
+/// The survey of gaps has overwritten it.
+void MotionTracker::return_to_one_frame() {
+  pairs_ = chains_.pairs(1);
+  p_moving_ = p_moving_over_one_;
+}
+
 /// What has come into view within the gap, as fast things have all the time, is compared over one frame.
 void MotionTracker::collect_features(int gap) {
-  if (gap == 1) compare_over(1);  // the survey has overwritten it
+  if (gap == 1) return_to_one_frame();
   report_.parallax_features = parallax_.excuse(pairs_, report_.compared, width_px_, p_moving_);
   add_features(report_.compared, gap);
   if (gap == 1) return;
   followed_.assign(chains_.size(), false);
   for (std::size_t i = 0; i < pairs_.size(); ++i) followed_[chains_.index_of(i)] = true;
-  const EgoMotion motion = compare_over(1);
-  parallax_.excuse(pairs_, motion, width_px_, p_moving_);
+  return_to_one_frame();
+  parallax_.excuse(pairs_, report_.ego, width_px_, p_moving_);
   for (std::size_t i = 0; i < pairs_.size(); ++i) {
-    if (followed_[chains_.index_of(i)] || !stands_out(pairs_[i], motion)) p_moving_[i] = 0.0F;
+    if (followed_[chains_.index_of(i)] || !stands_out(pairs_[i], report_.ego)) p_moving_[i] = 0.0F;
   }
-  add_features(motion, 1);
+  add_features(report_.ego, 1);
 }
 
 /// One frame's flow of a corner that was not seen before is easily wrong: its motion must be beyond errors of

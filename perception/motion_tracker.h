@@ -77,6 +77,7 @@ class MotionTracker {
   int survey_gaps();
   int choose_gap(int longest) const;
   void collect_features(int gap);
+  void return_to_one_frame();
   bool stands_out(const PointPair& pair, const EgoMotion& motion) const;
   void add_features(const EgoMotion& motion, int gap);
 
@@ -89,7 +90,8 @@ class MotionTracker {
   ObjectTracker objects_;
   std::span<const PointPair> pairs_;  ///< of the gap last compared over
   std::vector<float> p_moving_;       ///< and what came of it
-  std::vector<bool> followed_;        ///< over the gap, by chain
+  std::vector<float> p_moving_over_one_;
+  std::vector<bool> followed_;  ///< over the gap, by chain
   std::vector<MovingFeature> features_;
   std::vector<int> cluster_of_;
   std::array<double, FlowChains::kLongest + 1>
