@@ -19,7 +19,8 @@ namespace {
 class TruthFile {
  public:
   explicit TruthFile(const std::string& text)
-      : path_(std::filesystem::path(testing::TempDir()) / ("tracks_truth_" + std::to_string(::getpid()) + ".txt")) {
+      : path_(std::filesystem::path(testing::TempDir()) /
+              ("tracks_truth_" + std::to_string(::getpid()) + ".txt")) {
     std::ofstream(path_) << text;
   }
   ~TruthFile() { std::filesystem::remove(path_); }
