@@ -110,9 +110,11 @@ void BottomFinder::walk_band(int band) {
   }
 }
 
-inline bool BottomFinder::stands_up(const Walk& walk, const GroundPatch& contact) const {
-  return walk.bad_px + walk.lethal_px >= params_.min_run_px * strip_px_ &&
-         static_cast<float>(walk.lead_px) >= contact.min_lead_px;
+/// Whether what the walk has met is an obstacle. What the bumper touched stands up; bad ground, which slips,
+/// does not have to.
+inline bool BottomFinder::is_obstacle(const Walk& walk, const GroundPatch& contact) const {
+  if (walk.bad_px + walk.lethal_px < params_.min_run_px * strip_px_) return false;
+  return walk.bad_px > walk.lethal_px || static_cast<float>(walk.lead_px) >= contact.min_lead_px;
 }
 
 /// One strip goes up by one band. Returns its good pixels that lie on the ground here.
@@ -129,7 +131,7 @@ inline int BottomFinder::step(int strip, int band, bool is_ground, const Counts&
     walk.bad_px += counts.bad;
     walk.lethal_px += counts.lethal;
     walk.lead_px += obstacle_px - counts.good;
-    walk.in_obstacle = stands_up(walk, patches_.at(strip, walk.contact_band));
+    walk.in_obstacle = is_obstacle(walk, patches_.at(strip, walk.contact_band));
     if (walk.lead_px < 0) walk = {};
     return good_px;
   }

@@ -5,7 +5,7 @@
 //
 // Pixels up to the first obstacle of a column lie on the ground and vote where they are. An obstacle stands
 // up, so its upper pixels would project too far away: their weight goes to where its lowest pixels meet the
-// ground. What is called obstacle but looks lower than min_height_m, seen upright, lies flat: a shadow, or
+// ground. What is called lethal but looks lower than min_height_m, seen upright, lies flat: a shadow, or
 // specks. It is judged by a cumulative sum up the column, obstacle pixels for, good ones against: where that
 // falls to nothing, what began there is given up.
 #pragma once
@@ -59,7 +59,7 @@ class BottomFinder {
   Counts counts_of(int strip) const;
   int next_strip_seen(int strip) const;
   void walk_band(int band);
-  bool stands_up(const Walk& walk, const GroundPatch& contact) const;
+  bool is_obstacle(const Walk& walk, const GroundPatch& contact) const;
   int step(int strip, int band, bool is_ground, const Counts& counts);
   void vote_good(const GroundPatch& patch, int pixels);
   void finish_obstacle(int strip);

@@ -29,7 +29,8 @@ struct BottomFinderParams {
     param("min_run_px", min_run_px, Range{1, 50},
           "obstacle pixels above one another that make an obstacle [px]");
     param("min_height_m", min_height_m, Range{0.0, 10.0},
-          "what looks lower than this lies flat and is no obstacle [m]; 0: anything counts, the thesis");
+          "what is called lethal but looks lower than this lies flat and is none [m]; 0: anything counts, "
+          "the thesis");
     param("ground_resumes_px", ground_resumes_px, Range{0, 500},
           "good pixels above one another that end an obstacle: ground is seen again behind it [px]; 0: "
           "never, the thesis");

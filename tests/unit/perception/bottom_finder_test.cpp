@@ -208,6 +208,15 @@ TEST(BottomFinder, WhatLiesFlatIsNoObstacle) {
   }
 }
 
+TEST(BottomFinder, BadGroundMayLieFlat) {
+  Scene scene;
+  scene.sky(kUnknown);
+  const auto row = [&](double x_m) { return int(std::lround(scene.camera.project({x_m, 0, 0})->y_px)); };
+  scene.fill(300, 420, row(3.5), row(3.0), kBad);
+  BottomFinder bottom = finder(scene);
+  EXPECT_NEAR(sum_of(bottom.find(scene.labels), kBad).x_m, 3.0, 0.1);
+}
+
 TEST(BottomFinder, SpeckledGroundBeforeATreeDoesNotBringItNearer) {
   std::mt19937 random(5);  // seed 5
   Scene scene;
