@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "perception/ego_motion.h"
+#include "perception/motion_likeness.h"
 
 namespace hindsight {
 namespace {
@@ -23,25 +24,9 @@ constexpr float kSteadyNew = 0.85F, kSteady = 0.4F;  ///< see Object::steadiness
 constexpr int kUnseenNew = 2;          ///< frames that an object not yet confirmed may be unseen for
 constexpr double kStraightness = 0.4;  ///< way made over way that its speed promises
 
-/// A thing is at most as long as it moves in so many frames (see link_reach_px).
-constexpr float kLongest_frames = 8.0F;
-
-float longest_px(Point2f v_px) { return kLongest_frames * std::hypot(v_px.x_px, v_px.y_px); }
-
 bool covers(const Track& track, Point2f p) {
   return std::abs(p.x_px - track.at_px.x_px) <= track.half_size_px.x_px &&
          std::abs(p.y_px - track.at_px.y_px) <= track.half_size_px.y_px;
-}
-
-bool roughly_alike(Point2f a, Point2f b) {
-  const float speed = std::max(std::hypot(a.x_px, a.y_px), std::hypot(b.x_px, b.y_px));
-  return distance_px(a, b) < 1.0F + 0.6F * speed;
-}
-
-/// As two ends of one thing do that does not turn.
-bool rigidly_alike(Point2f a, Point2f b) {
-  const float speed = std::max(std::hypot(a.x_px, a.y_px), std::hypot(b.x_px, b.y_px));
-  return distance_px(a, b) < 0.3F + 0.15F * speed;
 }
 
 }  // namespace

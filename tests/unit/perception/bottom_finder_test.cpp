@@ -8,78 +8,11 @@
 #include <cmath>
 #include <map>
 #include <random>
-#include <vector>
+
+#include "bottom_finder_scene.h"
 
 namespace hindsight {
 namespace {
-
-constexpr double kCell_m = 0.2;
-constexpr auto kGood = TerrainClass::good, kBad = TerrainClass::bad, kLethal = TerrainClass::lethal,
-               kUnknown = TerrainClass::unknown;
-
-CameraModel test_camera() {
-  CameraModel camera;
-  camera.width_px = 720;
-  camera.height_px = 480;
-  camera.fx_px = camera.fy_px = 420;
-  camera.cx_px = 359.5;
-  camera.cy_px = 239.5;
-  camera.p_BC_m = {-0.1, 0, 1.0};
-  camera.set_orientation(0, 0.35, 0);
-  camera.set_field_of_view();
-  return camera;
-}
-
-struct Scene {
-  CameraModel camera = test_camera();
-  std::vector<TerrainClass> labels = std::vector<TerrainClass>(720 * 480, kGood);
-
-  TerrainClass& at(int x, int y) { return labels[static_cast<std::size_t>(y * camera.width_px + x)]; }
-  void fill(int x0, int x1, int y0, int y1, TerrainClass label) {
-    x0 = std::max(x0, 0), x1 = std::min(x1, camera.width_px);
-    for (int y = y0; y < y1; ++y) std::fill(&at(x0, y), &at(x1 - 1, y) + 1, label);
-  }
-  void sky(TerrainClass label) { fill(0, 720, 0, 87, label); }
-  /// A board that stands on the ground at (x, y), square to the vehicle.
-  void stand(double x_m, double y_m, double width_m, double height_m, TerrainClass label) {
-    const auto foot = camera.project({x_m, y_m, 0}), top = camera.project({x_m, y_m, height_m});
-    const double left = camera.project({x_m, y_m + width_m / 2, 0})->x_px,
-                 right = camera.project({x_m, y_m - width_m / 2, 0})->x_px;
-    fill(int(std::lround(left)), int(std::lround(right)), std::max(0, int(std::lround(top->y_px))),
-         int(std::lround(foot->y_px)), label);
-  }
-};
-
-struct Sum {
-  double weight = 0, x_m = 0, y_m = 0;
-};
-
-Sum sum_of(std::span<const GroundVote> votes, TerrainClass label) {
-  Sum sum;
-  for (const GroundVote& v : votes) {
-    if (v.label != label) continue;
-    sum.weight += v.weight;
-    sum.x_m += v.weight * v.x_B_m;
-    sum.y_m += v.weight * v.y_B_m;
-  }
-  sum.x_m /= sum.weight;
-  sum.y_m /= sum.weight;
-  return sum;
-}
-
-BottomFinder finder(const Scene& scene, const BottomFinderParams& params = {}) {
-  return {params, scene.camera, GroundPlane(scene.camera, params.max_range_m), kCell_m};
-}
-
-BottomFinderParams thesis() {
-  BottomFinderParams params;
-  params.strip_px = 1;
-  params.min_run_px = 1;
-  params.min_height_m = 0.0;
-  params.ground_resumes_px = 0;
-  params.weighting = "pixels";
-  return params;
-}
 
 TEST(BottomFinder, TreeIsWhereItStands) {
   for (const int strip_px : {1, 2, 4, 8}) {
@@ -128,7 +61,7 @@ TEST(BottomFinder, ThesisCountsEveryPixelOnce) {
   // Seed 7: columns of good ground up to some row, obstacle above it up to another, unknown to the top.
   std::mt19937 random(7);
   Scene scene;
-  const GroundPlane ground(scene.camera, thesis().max_range_m);
+  const GroundPlane ground(scene.camera, thesis_finder().max_range_m);
   std::map<TerrainClass, int> expected;
   for (int x = 0; x < 720; ++x) {
     const int contact = 150 + int(random() % 330), top = int(random() % 150);
@@ -138,7 +71,7 @@ TEST(BottomFinder, ThesisCountsEveryPixelOnce) {
       if (scene.at(x, y) != kUnknown) ++expected[scene.at(x, y)];
     }
   }
-  BottomFinder bottom = finder(scene, thesis());
+  BottomFinder bottom = finder(scene, thesis_finder());
   const auto votes = bottom.find(scene.labels);
   EXPECT_NEAR(sum_of(votes, kBad).weight, expected[kBad], 0.01 * expected[kBad]);
   EXPECT_NEAR(sum_of(votes, kLethal).weight, expected[kLethal], 0.01 * expected[kLethal]);
@@ -189,47 +122,6 @@ TEST(BottomFinder, SpecksAreNoObstacles) {
   EXPECT_EQ(std::ranges::count(bottom.contact_row_px(), -1.0F), std::ssize(bottom.contact_row_px()));
 }
 
-TEST(BottomFinder, WhatLiesFlatIsNoObstacle) {
-  for (const double range_m : {3.0, 6.0, 12.0}) {
-    Scene scene;
-    scene.sky(kUnknown);
-    const auto row = [&](double x_m) { return int(std::lround(scene.camera.project({x_m, 0, 0})->y_px)); };
-    scene.fill(300, 420, row(range_m + 0.5), row(range_m), kLethal);  // a shadow, half a metre long
-    BottomFinder default_finder = finder(scene);
-    EXPECT_EQ(sum_of(default_finder.find(scene.labels), kLethal).weight, 0) << range_m;
-    BottomFinderParams params;
-    params.min_run_px = 1;
-    params.min_height_m = 0.0;
-    BottomFinder anything = finder(scene, params);
-    EXPECT_GT(sum_of(anything.find(scene.labels), kLethal).weight, 0) << range_m;
-    scene.stand(range_m, 0, 0.4, 0.5, kLethal);
-    BottomFinder bottom = finder(scene);
-    EXPECT_NEAR(sum_of(bottom.find(scene.labels), kLethal).x_m, range_m, 0.03 * range_m);
-  }
-}
-
-TEST(BottomFinder, BadGroundMayLieFlat) {
-  Scene scene;
-  scene.sky(kUnknown);
-  const auto row = [&](double x_m) { return int(std::lround(scene.camera.project({x_m, 0, 0})->y_px)); };
-  scene.fill(300, 420, row(3.5), row(3.0), kBad);
-  BottomFinder bottom = finder(scene);
-  EXPECT_NEAR(sum_of(bottom.find(scene.labels), kBad).x_m, 3.0, 0.1);
-}
-
-TEST(BottomFinder, SpeckledGroundBeforeATreeDoesNotBringItNearer) {
-  std::mt19937 random(5);  // seed 5
-  Scene scene;
-  scene.sky(kUnknown);
-  for (TerrainClass& label : scene.labels)
-    if (label == kGood && random() % 4 == 0) label = kLethal;
-  scene.stand(9.0, 0, 0.5, 3.0, kLethal);
-  BottomFinder bottom = finder(scene);
-  const Sum tree = sum_of(bottom.find(scene.labels), kLethal);
-  EXPECT_NEAR(tree.x_m, 9.0, 0.4);
-  EXPECT_NEAR(tree.y_m, 0.0, 0.1);
-}
-
 TEST(BottomFinder, GroundSeenOverALowObstacleCountsAgain) {
   Scene scene;
   scene.sky(kUnknown);
@@ -240,7 +132,7 @@ TEST(BottomFinder, GroundSeenOverALowObstacleCountsAgain) {
   EXPECT_NEAR(sum_of(votes, kBad).x_m, 2.5, 0.1);
   EXPECT_NEAR(sum_of(votes, kLethal).x_m, 8.0, 0.2);
 
-  BottomFinder first_only = finder(scene, thesis());
+  BottomFinder first_only = finder(scene, thesis_finder());
   EXPECT_LT(sum_of(first_only.find(scene.labels), kLethal).x_m, 4.0) << "the thesis adds it to the first";
 }
 
