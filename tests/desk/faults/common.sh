@@ -43,10 +43,13 @@ commands() {
   awk -F, -v a="$1" -v b="$2" "{ t = \$1 * 1000; l = \$2; r = \$3; e = \$4 } NR > 1 && t > a && t <= b && ($3) { n++ } END { print n + 0 }" "$csv"
 }
 until_true() { # SECONDS WHAT COMMAND...: until COMMAND succeeds
-  local end=$((SECONDS + $1)) what=$2
+  local end now what=$2
+  mark end
+  end=$((end + 1000 * $1))
   shift 2
   until "$@"; do
-    if [ $SECONDS -ge $end ]; then fail "$what"; fi
+    mark now
+    if [ "$now" -ge "$end" ]; then fail "$what"; fi
     pause 0.1
   done
 }

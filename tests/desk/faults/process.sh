@@ -21,8 +21,8 @@ hangs() {
   start_daemon
   drive
   mark t
-  freeze "$1" 4 &
-  ends 70 3 "thread $1 hangs"
+  freeze "$1" 6 &
+  ends 70 4 "thread $1 hangs" # a second of silence, one more for the flight recorder, python's start
   mark end
   [ "$(commands $((t + $2)) "$end" 'l != 0 || r != 0')" -eq 0 ] ||
     fail "thread $1 hangs: it still commanded motion after $2 ms"
