@@ -17,10 +17,30 @@ namespace hindsight {
 namespace {
 
 constexpr std::array<std::uint8_t, 4> kMagic{'H', 'S', 'A', 'M'};
-constexpr std::uint16_t kVersion = 1;
+constexpr std::uint16_t kVersion = 2, kWithoutExposure = 1;
 constexpr std::size_t kHeaderBytes = 32, kChecksumBytes = 4;
 
 ActivityDecoded refused(const std::string& problem) { return {{}, problem}; }
+
+/// Runs of cells with one exposure, row by row: how many, and the exposure.
+void put_exposures(std::vector<std::uint8_t>& out, std::span<const std::uint32_t> exposures) {
+  for (auto at = exposures.begin(); at != exposures.end();) {
+    const auto end = std::find_if(at, exposures.end(), [&](std::uint32_t other) { return other != *at; });
+    put(out, static_cast<std::uint32_t>(end - at));
+    put(out, *at);
+    at = end;
+  }
+}
+
+bool take_exposures(ByteReader& in, std::span<std::uint32_t> exposures) {
+  while (!exposures.empty()) {
+    const auto cells = in.take<std::uint32_t>(), frames = in.take<std::uint32_t>();
+    if (!in.ok() || cells == 0 || cells > exposures.size()) return false;
+    std::fill_n(exposures.begin(), cells, frames);
+    exposures = exposures.subspan(cells);
+  }
+  return true;
+}
 
 }  // namespace
 
@@ -44,6 +64,7 @@ std::vector<std::uint8_t> encode_activity(const ActivityMap& map) {
       put(out, counts[bin]);
     }
   }
+  put_exposures(out, map.exposures());
   put(out, crc32(out));
   return out;
 }
@@ -55,8 +76,9 @@ ActivityDecoded decode_activity(std::span<const std::uint8_t> bytes) {
     return refused("byte 0: is no activity map (expected \"HSAM\")");
   const auto body = bytes.first(bytes.size() - kChecksumBytes);
   ByteReader in(body.subspan(kMagic.size()));
-  if (const auto version = in.take<std::uint16_t>(); version != kVersion) {
-    return refused(fmt::format("byte 4: version {}, expected {}", version, kVersion));
+  const auto version = in.take<std::uint16_t>();
+  if (version != kVersion && version != kWithoutExposure) {
+    return refused(fmt::format("byte 4: version {}, expected {} or {}", version, kWithoutExposure, kVersion));
   }
   if (crc32(body) != ByteReader(bytes.last(kChecksumBytes)).take<std::uint32_t>()) {
     return refused(fmt::format("byte {}: the checksum does not fit", body.size()));
@@ -87,6 +109,10 @@ ActivityDecoded decode_activity(std::span<const std::uint8_t> bytes) {
       return refused(fmt::format("byte {}: cell {} is none of the map's", begin, i));
     }
     if (!in.ok()) return refused(fmt::format("byte {}: ends within cell {}", begin, i));
+  }
+  if (const std::size_t begin = in.at() + kMagic.size();
+      version == kVersion && !take_exposures(in, map.exposures())) {
+    return refused(fmt::format("byte {}: expected the exposure of {} x {} cells", begin, cells, cells));
   }
   if (in.at() + kMagic.size() != body.size())
     return refused(fmt::format("byte {}: expected the checksum", in.at() + kMagic.size()));

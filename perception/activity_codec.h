@@ -15,9 +15,11 @@
 
 namespace hindsight {
 
-/// Little-endian: "HSAM", u16 version, u16 zero, f64 cell, u32 cells, f64 greatest speed, u32 number of
+/// Little-endian: "HSAM", u16 version (2), u16 zero, f64 cell, u32 cells, f64 greatest speed, u32 number of
 /// active cells n, then n cells (u32 column, u32 row, u32 number of bins b, b times u16 bin and u32 count),
-/// then the CRC-32 (IEEE 802.3) of all bytes before it.
+/// the exposures of all cells, row by row, as runs of equal ones (u32 cells, u32 frames), then the CRC-32
+/// (IEEE 802.3) of all bytes before it. Version 1, without exposures, is read: such a map has never looked
+/// anywhere, so that motion is known, and its absence is not.
 std::vector<std::uint8_t> encode_activity(const ActivityMap& map);
 
 struct ActivityDecoded {

@@ -32,6 +32,9 @@ struct ActivityMapParams {
 /// ground's frame G is whatever the caller anchors it to: the picture plane of a first frame (thesis), or W.
 /// Cell (0, 0) has its corner at (-size/2, -size/2) cells of G, so that G's origin is the middle.
 ///
+/// Beside it stands the exposure: in how many frames each cell was in view. Nothing seen to move where the
+/// map looked for long is knowledge; where it never looked, it is none.
+///
 /// Memory for kMostActiveCells cells with motion is taken at construction; motion in further ones is counted
 /// as lost.
 class ActivityMap {
@@ -44,6 +47,10 @@ class ActivityMap {
 
   /// One frame of one object at p_G with velocity v_G [/frame]. Outside of the map: nothing.
   void add(const Eigen::Vector2d& p_G, const Eigen::Vector2d& v_G);
+
+  /// One frame showed the ground within this convex polygon, whichever way round: the exposure of each cell
+  /// whose middle lies in it grows. A polygon that is not finite shows nothing.
+  void look(std::span<const Eigen::Vector2d> view_G);
 
   /// Adds all of `other`, whose frame O lies in this map's G at X_GO: p_G = R(angle) p_O + t. Cells must be
   /// of one size.
@@ -60,6 +67,13 @@ class ActivityMap {
   }
   /// Index into active(), or -1.
   int find(int column, int row) const;
+  /// Frames in which the cell was in view; 0 outside of the map.
+  std::uint32_t exposure(int column, int row) const {
+    return contains(column, row) ? exposure_[index_of(column, row)] : 0;
+  }
+  bool contains(int column, int row) const {
+    return column >= 0 && row >= 0 && column < cells() && row < cells();
+  }
   /// Of any point of G; may lie outside of the map.
   void cell_of(const Eigen::Vector2d& p_G, int& column, int& row) const;
   Eigen::Vector2d middle_of(int column, int row) const;
@@ -74,10 +88,19 @@ class ActivityMap {
 
   /// For the decoder: so many more in one bin. False where there is no room, or no such cell or bin.
   bool add_count(int column, int row, std::size_t bin, std::uint32_t count);
+  /// Of every cell, row by row.
+  std::span<const std::uint32_t> exposures() const { return exposure_; }
+  std::span<std::uint32_t> exposures() { return exposure_; }
 
  private:
+  std::size_t index_of(int column, int row) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(cells()) +
+           static_cast<std::size_t>(column);
+  }
+
   ActivityMapParams params_;
   std::vector<std::int16_t> slot_;  ///< of each cell; -1: nothing has moved there
+  std::vector<std::uint32_t> exposure_;
   std::vector<ActiveCell> active_;
   std::vector<std::uint32_t> counts_;
   std::uint64_t total_ = 0, lost_ = 0;

@@ -4,9 +4,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
+#include "config/crc32.h"
 #include "perception/activity_codec.h"
+#include "perception/saved_bytes.h"
 
 namespace hindsight {
 namespace {
@@ -43,12 +47,15 @@ TEST(ActivityRegistration, OfNothingIsNothing) {
 }
 
 TEST(ActivityCodec, GivesBackWhatItWasGivenAndNothingElse) {
-  const ActivityMap map = roundabout_template(kPixels, 300.0, 30.0, 6.0, 140.0);
+  ActivityMap map = roundabout_template(kPixels, 300.0, 30.0, 6.0, 140.0);
+  map.look(std::array<Eigen::Vector2d, 3>{Eigen::Vector2d(-200, -200), {200, -100}, {0, 150}});
   const std::vector<std::uint8_t> bytes = encode_activity(map);
   const ActivityDecoded decoded = decode_activity(bytes);
   ASSERT_EQ(decoded.problem, "");
   EXPECT_EQ(encode_activity(*decoded.map), bytes);
   EXPECT_EQ(decoded.map->total(), map.total());
+  EXPECT_GT(map.exposure(64, 60), 0U);
+  EXPECT_TRUE(std::ranges::equal(decoded.map->exposures(), map.exposures()));
   EXPECT_FALSE(decode_activity({}).map) << "a refusal costs no map's memory";
   for (std::size_t cut = 0; cut < bytes.size(); cut += 97) {
     EXPECT_NE(decode_activity(std::span(bytes).first(cut)).problem, "") << cut;
@@ -58,6 +65,21 @@ TEST(ActivityCodec, GivesBackWhatItWasGivenAndNothingElse) {
     damaged[at] ^= 0x10;
     EXPECT_NE(decode_activity(damaged).problem, "") << at;
   }
+}
+
+/// Written before maps knew how long they looked.
+TEST(ActivityCodec, ReadsMapsOfTheFirstVersion) {
+  ActivityMap map(kPixels);
+  for (int i = 0; i < 3; ++i) map.add({5.0, 5.0}, {2.0, 0.0});
+  std::vector<std::uint8_t> bytes = encode_activity(map);
+  constexpr std::size_t kOneRun = 8, kChecksum = 4;
+  bytes.resize(bytes.size() - kOneRun - kChecksum);
+  bytes[4] = 1;
+  put(bytes, crc32(bytes));
+  const ActivityDecoded decoded = decode_activity(bytes);
+  ASSERT_EQ(decoded.problem, "");
+  EXPECT_EQ(decoded.map->total(), 3U);
+  EXPECT_EQ(decoded.map->exposure(64, 64), 0U);
 }
 
 }  // namespace
