@@ -11,13 +11,19 @@
 namespace hindsight {
 namespace {
 
-constexpr double kOften = 4.0;
+/// [frames of motion] What the map showed of a cell, or should have, counts as much as what is known without
+/// it at so many.
+constexpr double kDoubt = 4.0;
 constexpr double kBeside = 0.5;  ///< what a neighbouring cell's motion counts for
 constexpr std::array<float, 4> kSpeedWeights{1.0F, 0.6F, 0.2F, 0.05F};
 constexpr std::array<float, 4> kDirectionWeights{1.0F, 0.7F, 0.3F, 0.1F};
 
 Eigen::Vector2d mapped(const Eigen::Matrix3d& H, const Eigen::Vector2d& p) {
   return (H * p.homogeneous()).hnormalized();
+}
+
+double weight_beside(int columns, int rows) {
+  return (columns == 0 ? 1.0 : kBeside) * (rows == 0 ? 1.0 : kBeside);
 }
 
 }  // namespace
@@ -29,6 +35,9 @@ Eigen::Matrix2d jacobian_of(const Eigen::Matrix3d& H, const Eigen::Vector2d& p) 
 
 ActivityPrior::ActivityPrior(const ActivityMap& map)
     : map_(map), slot_(static_cast<std::size_t>(map.cells()) * static_cast<std::size_t>(map.cells()), -1) {
+  double exposure = 0.0;
+  for (const std::uint32_t frames : map_.exposures()) exposure += frames;
+  if (exposure > 0.0) per_frame_ = static_cast<double>(map_.total()) / exposure;
   for (const ActivityMap::ActiveCell& cell : map_.active()) {
     for (int row = cell.row - 1; row <= cell.row + 1; ++row) {
       for (int column = cell.column - 1; column <= cell.column + 1; ++column) smooth(column, row);
@@ -50,7 +59,7 @@ void ActivityPrior::smooth(int column, int row) {
       const int active = map_.find(c, r);
       if (active < 0) continue;
       const auto a = static_cast<std::size_t>(active);
-      const float beside = static_cast<float>((r == row ? 1.0 : kBeside) * (c == column ? 1.0 : kBeside));
+      const auto beside = static_cast<float>(weight_beside(c - column, r - row));
       often += beside * static_cast<float>(map_.active()[a].total);
       const auto counts = map_.counts(a);
       for (int s = 0; s < S; ++s) {
@@ -73,7 +82,7 @@ void ActivityPrior::smooth(int column, int row) {
   for (const float b : bins) sum += b;
   float so_far = 0.0F;
   for (float& b : bins) b = so_far += b / sum;
-  cells_.push_back({static_cast<float>(1.0 - std::exp(-often / kOften)), std::move(bins)});
+  cells_.push_back({often, std::move(bins)});
 }
 
 void ActivityPrior::look(const Eigen::Matrix3d& H_G_image) { H_G_image_ = H_G_image; }
@@ -110,9 +119,27 @@ bool ActivityPrior::sample(Point2f at_px, double uniform, Point2f& v_px) const {
   return true;
 }
 
-double ActivityPrior::activity(Point2f at_px) const {
-  const Cell* cell = cell_at(mapped(H_G_image_, {at_px.x_px, at_px.y_px}));
-  return cell == nullptr ? 0.0 : cell->activity;
+/// Motion in cells as a Poisson process, its rate known beforehand as kDoubt frames of average motion of any
+/// velocity would tell it (a gamma distribution): observed over expected, both with kDoubt added.
+double ActivityPrior::log_ratio(Point2f at_px, Point2f v_px) const {
+  const Eigen::Vector2d p_G = mapped(H_G_image_, {at_px.x_px, at_px.y_px});
+  const Cell* cell = cell_at(p_G);
+  const double observed =
+      cell == nullptr ? 0.0
+                      : cell->count * probability(at_px, v_px) * static_cast<double>(ActivityMap::kBins);
+  return std::log((kDoubt + observed) / (kDoubt + expected_at(p_G)));
+}
+
+/// Motion that there would be here and beside if it were everywhere alike [frames].
+double ActivityPrior::expected_at(const Eigen::Vector2d& p_G) const {
+  int column = 0, row = 0;
+  map_.cell_of(p_G, column, row);
+  double exposure = 0.0;
+  for (int r = row - 1; r <= row + 1; ++r) {
+    for (int c = column - 1; c <= column + 1; ++c)
+      exposure += weight_beside(c - column, r - row) * map_.exposure(c, r);
+  }
+  return per_frame_ * exposure;
 }
 
 }  // namespace hindsight

@@ -25,17 +25,19 @@ class ActivityPrior final : public MotionPrior {
 
   double probability(Point2f at_px, Point2f v_px) const override;
   bool sample(Point2f at_px, double uniform, Point2f& v_px) const override;
-  double activity(Point2f at_px) const override;
+  double log_ratio(Point2f at_px, Point2f v_px) const override;
 
  private:
   struct Cell {
-    float activity = 0.0F;  ///< 1 - exp(-(frames in which something moved here or beside) / kOften)
+    double count = 0.0;  ///< motion here and beside [frames]
     std::vector<float> cumulative;
   };
   const Cell* cell_at(const Eigen::Vector2d& p_G) const;
+  double expected_at(const Eigen::Vector2d& p_G) const;
   void smooth(int column, int row);
 
   const ActivityMap map_;
+  double per_frame_ = 0.0;  ///< motion in a cell in view, over the whole map
   std::vector<int> slot_;
   std::vector<Cell> cells_;
   Eigen::Matrix3d H_G_image_ = Eigen::Matrix3d::Identity();

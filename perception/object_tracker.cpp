@@ -18,11 +18,16 @@ constexpr float kSmallestHalf_px = 4.0F;
 /// A track may turn round while unseen, but not be anywhere.
 constexpr float kReachOfLost = 1.5F;
 constexpr double kOffItsPlace = 0.4;  ///< way that takes an object off its own place, in parts of its size
-constexpr double kUsualShare = 50.0;  ///< a bin of p(v, theta) that holds a fiftieth is as usual as can be
 constexpr float kSteadyFrames = 15.0F;
-constexpr float kSteadyNew = 0.85F, kSteady = 0.4F;  ///< see Object::steadiness()
+constexpr float kSteadyNew = 0.85F, kSteady = 0.4F, kSteadyTold = 0.5F;  ///< see Object::steadiness()
 constexpr int kUnseenNew = 2;          ///< frames that an object not yet confirmed may be unseen for
 constexpr double kStraightness = 0.4;  ///< way made over way that its speed promises
+/// Evidence that a new object must gather without a map, in which the map's log ratio counts. Less than a
+/// third is never enough: the map knows nothing of errors of the flow.
+constexpr double kEvidence = 6.0, kLeastDemand = 1.0 / 3.0, kMostDemand = 2.0;
+/// Two ends of one vehicle, by their mean velocities over so many frames and more.
+constexpr int kFramesToTellApart = 8;
+constexpr float kLongestSlow_frames = 11.0F, kMeanNoise_px = 0.1F, kMeanAlike = 0.05F;
 
 bool covers(const Track& track, Point2f p) {
   return std::abs(p.x_px - track.at_px.x_px) <= track.half_size_px.x_px &&
@@ -157,7 +162,7 @@ void ObjectTracker::weigh(std::span<const MovingFeature> features, const MotionP
       };
       smooth(track.half_size_px.x_px, deviation.x_px), smooth(track.half_size_px.y_px, deviation.y_px);
     }
-    judge(object, expected(track.at_px, track.v_px, prior));
+    judge(object, demand(track.at_px, track.v_px, prior));
   }
 }
 
@@ -169,17 +174,18 @@ float ObjectTracker::Object::steadiness() const {
 /// stands above it, seems to move, to and fro with the camera, but stays. What moves keeps on, and gets off
 /// its place, by both measures of its way: features that are found now at one end of a roof and now at the
 /// other make the place jump, but do not fly there.
-void ObjectTracker::judge(Object& object, double trust) {
+void ObjectTracker::judge(Object& object, double demand) {
   const Track& track = object.track;
   const double way_px = std::min(distance_px(track.at_px, object.place_px),
                                  std::hypot(object.flown_px.x_px, object.flown_px.y_px));
   const double size_px = track.half_size_px.x_px + track.half_size_px.y_px;
   const bool off_its_place =
-      track.unseen_frames == 0 &&
-      way_px >= (1.5 - trust) * std::max(params_.confirm_travel_px, kOffItsPlace * size_px);
+      track.unseen_frames == 0 && way_px >= (object.confirmed ? 1.0 : demand) *
+                                                std::max(params_.confirm_travel_px, kOffItsPlace * size_px);
   ++object.dwell_frames;
   if (!object.confirmed) {
-    const long frames = std::lround((1.5 - trust) * params_.confirm_frames);
+    const long frames =
+        may_be_other_end(object) ? kFramesToTellApart : std::lround(demand * params_.confirm_frames);
     const double promised_px =
         std::hypot(track.v_px.x_px, track.v_px.y_px) * static_cast<float>(track.age_frames);
     object.confirmed = off_its_place && object.seen_frames >= frames &&
@@ -210,7 +216,27 @@ bool ObjectTracker::one_thing(const Object& a, const Object& b) const {
   const float reach_px = link_reach_px(static_cast<float>(params_.merge_distance_px), one.v_px);
   const bool linked = a.cluster >= 0 && a.cluster == b.cluster;
   return apart_px < (linked ? 2.0F : 1.0F) * reach_px || covers(one, other.at_px) ||
-         (rigidly_alike(one.v_px, other.v_px) && apart_px < longest_px(one.v_px));
+         (rigidly_alike(one.v_px, other.v_px) && apart_px < longest_px(one.v_px)) || keep_together(a, b);
+}
+
+/// Two ends of a slow vehicle lie farther apart, but over many frames their velocities are more alike than
+/// those of two that follow one another.
+bool ObjectTracker::keep_together(const Object& a, const Object& b) {
+  const float speed_px = std::hypot(a.mean_v_px.x_px, a.mean_v_px.y_px);
+  return std::min(a.seen_frames, b.seen_frames) >= kFramesToTellApart &&
+         distance_px(a.track.at_px, b.track.at_px) < kLongestSlow_frames * speed_px &&
+         distance_px(a.mean_v_px, b.mean_v_px) < kMeanNoise_px + kMeanAlike * speed_px;
+}
+
+/// Of something told, seen too short to be told apart from it?
+bool ObjectTracker::may_be_other_end(const Object& object) const {
+  const Track& track = object.track;
+  const float reach_px = kLongestSlow_frames * std::hypot(track.v_px.x_px, track.v_px.y_px);
+  return std::any_of(objects_.begin(), objects_.end(), [&](const Object& other) {
+    return &other != &object && other.alive && other.confirmed && other.track.unseen_frames == 0 &&
+           roughly_alike(other.track.v_px, track.v_px) &&
+           distance_px(other.track.at_px, track.at_px) < reach_px;
+  });
 }
 
 /// Has this peak an object that is seen: one that it is linked to, or near, or the other end of?
@@ -238,19 +264,17 @@ ObjectTracker::Object* ObjectTracker::lost_near(const MotionCluster& peak) {
   return best;
 }
 
-/// What moves where and as things usually do is believed sooner; what moves where nothing was ever seen to,
-/// later.
-double ObjectTracker::expected(Point2f at_px, Point2f v_px, const MotionPrior* prior) {
-  if (prior == nullptr) return 0.5;
-  const double usual = std::min(1.0, kUsualShare * prior->probability(at_px, v_px));
-  return 0.5 * prior->activity(at_px) + 0.5 * usual;
+/// What evidence an object needs, of what it needs without a map: what moves where and as things usually do
+/// is believed sooner, what moves where the map has looked for long and seen nothing like it, later.
+double ObjectTracker::demand(Point2f at_px, Point2f v_px, const MotionPrior* prior) {
+  if (prior == nullptr) return 1.0;
+  return std::clamp(1.0 - prior->log_ratio(at_px, v_px) / kEvidence, kLeastDemand, kMostDemand);
 }
 
 void ObjectTracker::spawn(std::span<const MotionCluster> clusters, const MotionPrior* prior) {
   for (std::size_t c = 0; c < clusters.size(); ++c) {
     const MotionCluster& peak = clusters[c];
-    const double trust = expected(peak.at_px, peak.v_px, prior);
-    if (peak.mass < params_.spawn_mass * (1.5 - trust) || claimed(c, peak)) continue;
+    if (peak.mass < params_.spawn_mass * demand(peak.at_px, peak.v_px, prior) || claimed(c, peak)) continue;
     Object* object = lost_near(peak);
     if (object == nullptr) {
       const auto free =
@@ -280,7 +304,10 @@ void ObjectTracker::tell() {
   for (std::size_t k = 0; k < objects_.size(); ++k) {
     const Object& object = objects_[k];
     if (!object.alive || !object.confirmed || object.track.unseen_frames > params_.coast_frames) continue;
-    if (object.dwell_frames <= params_.dwell_frames) shown_.push_back(k);
+    // Where it is by now can be foretold only of what moved steadily.
+    const float steady_enough = object.track.unseen_frames > 0 ? kSteadyNew : kSteadyTold;
+    if (object.dwell_frames <= params_.dwell_frames && object.steadiness() >= steady_enough)
+      shown_.push_back(k);
   }
   std::sort(shown_.begin(), shown_.end(),
             [this](std::size_t a, std::size_t b) { return objects_[a].track.id < objects_[b].track.id; });

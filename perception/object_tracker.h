@@ -103,10 +103,12 @@ class ObjectTracker {
   void weigh(std::span<const MovingFeature> features, const MotionPrior* prior);
   void look_at_own(Object& object);
   static void remember(Object& object, Point2f v_px);
-  void judge(Object& object, double trust);
-  static double expected(Point2f at_px, Point2f v_px, const MotionPrior* prior);
+  void judge(Object& object, double demand);
+  static double demand(Point2f at_px, Point2f v_px, const MotionPrior* prior);
   void merge();
   bool one_thing(const Object& a, const Object& b) const;
+  static bool keep_together(const Object& a, const Object& b);
+  bool may_be_other_end(const Object& object) const;
   void spawn(std::span<const MotionCluster> clusters, const MotionPrior* prior);
   bool claimed(std::size_t cluster, const MotionCluster& peak) const;
   Object* lost_near(const MotionCluster& peak);

@@ -20,8 +20,9 @@ class MotionPrior {
   virtual double probability(Point2f at_px, Point2f v_px) const = 0;
   /// A velocity from p(v, theta | x, y) for `uniform` in [0, 1); false where nothing is known.
   virtual bool sample(Point2f at_px, double uniform, Point2f& v_px) const = 0;
-  /// How often things move there, 0 to 1.
-  virtual double activity(Point2f at_px) const = 0;
+  /// Natural logarithm of how many times as often something moves so there as anything does anywhere; 0 where
+  /// nothing is known.
+  virtual double log_ratio(Point2f at_px, Point2f v_px) const = 0;
 };
 
 struct ParticleFilterParams {
@@ -30,8 +31,8 @@ struct ParticleFilterParams {
   double weight_position_px = 8.0;
   double weight_velocity_px = 0.8;
   double peak_particles = 0.1;
-  double map_factor = 20.0;
-  double map_particles = 0.1;
+  double map_factor = 5.0;
+  double map_particles = 0.03;
 
   void visit(auto&& param) {
     param("particles", particles, Range{10, 5000}, "of each tracked object");

@@ -114,6 +114,7 @@ int evaluate(const Options& options) {
   VideoTracker motion(MotionParams{}, size);
   ActivityAnchor anchor(flow_params.tracker, size.width, size.height);
   ActivityMap learned(kPictureActivity);
+  ActivityLearner learner;
   if (!options.activity.empty()) motion.use(load_prior(options.activity));
   TrackScore score(truth, kSettleFrames);
   Film film(options.video, size);
@@ -123,7 +124,10 @@ int evaluate(const Options& options) {
     const auto vectors = flow.update({frame.data, frame.total() * frame.elemSize()});
     motion_us += microseconds([&] { motion.step(vectors, anchor.H_G_image()); });
     const bool anchored = anchor.update(flow.pyramid(), flow.features(), motion.report().ego);
-    if (anchored) learn_activity(motion.report(), anchor.H_G_image(), learned);
+    if (anchored) {
+      const Eigen::Matrix3d& H_G_image = anchor.H_G_image();
+      learner.learn(motion.report().tracks, view_of(size, H_G_image), H_G_image, learned);
+    }
     score.add(motion.report().tracks);
     const auto at = static_cast<std::size_t>(i);
     film.add(frame, motion.report(), at < truth.frames.size() ? &truth.frames[at] : nullptr);

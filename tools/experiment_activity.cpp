@@ -61,6 +61,7 @@ struct Learned {
 /// Flies until the last picture; a copy of the map is kept each time so many objects have been tracked.
 void train(AerialFlight flight, Learned& learned) {
   VideoTracker tracker(MotionParams{}, kSize);
+  ActivityLearner learner;
   std::size_t next = 1;
   std::int32_t objects = 0, newest = 0;
   for (int i = 0; i < kTrainingFrames; ++i) {
@@ -71,7 +72,8 @@ void train(AerialFlight flight, Learned& learned) {
       flight.frame().bgr.copyTo(learned.first);
     }
     if (!learned.anchor.update(flight.flow().pyramid(), flight.flow().features(), report.ego)) continue;
-    learn_activity(report, learned.anchor.H_G_image(), learned.map);
+    const Eigen::Matrix3d& H_G_image = learned.anchor.H_G_image();
+    learner.learn(report.tracks, view_of(kSize, H_G_image), H_G_image, learned.map);
     for (const Track& track : report.tracks) {
       if (track.id > newest) newest = track.id, ++objects;
     }

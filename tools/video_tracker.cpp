@@ -33,12 +33,10 @@ const MotionReport& VideoTracker::step(std::span<const FlowVector> flow, const E
   return tracker_.update(flow, prior_.get());
 }
 
-void learn_activity(const MotionReport& report, const Eigen::Matrix3d& H_G_image, ActivityMap& map) {
-  for (const Track& track : report.tracks) {
-    if (track.unseen_frames > 0) continue;
-    const Eigen::Vector2d p(track.at_px.x_px, track.at_px.y_px), v(track.v_px.x_px, track.v_px.y_px);
-    map.add(mapped(H_G_image, p), jacobian_of(H_G_image, p) * v);
-  }
+std::array<Eigen::Vector2d, 4> view_of(cv::Size size, const Eigen::Matrix3d& H_G_image) {
+  const double w = size.width, h = size.height;
+  return {mapped(H_G_image, {0.0, 0.0}), mapped(H_G_image, {w, 0.0}), mapped(H_G_image, {w, h}),
+          mapped(H_G_image, {0.0, h})};
 }
 
 void draw_activity(cv::Mat& picture, const ActivityMap& map, const Eigen::Matrix3d& H_image_G) {

@@ -4,11 +4,13 @@
 // The whole of chapter 3 on a video: flow, tracks, and an activity map anchored to the first picture.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <opencv2/core.hpp>
 #include <span>
 
 #include "perception/activity_anchor.h"
+#include "perception/activity_learner.h"
 #include "perception/activity_map.h"
 #include "perception/activity_prior.h"
 #include "perception/motion_tracker.h"
@@ -35,8 +37,8 @@ class VideoTracker {
   std::shared_ptr<ActivityPrior> prior_;
 };
 
-/// Adds where the tracks that are seen are, and how they move.
-void learn_activity(const MotionReport& report, const Eigen::Matrix3d& H_G_image, ActivityMap& map);
+/// The ground that a picture of this size shows, in the map's frame.
+std::array<Eigen::Vector2d, 4> view_of(cv::Size size, const Eigen::Matrix3d& H_G_image);
 
 /// As figure 3.5: in each cell the two most usual motions, as long as half a second of them, as thick as they
 /// are frequent. `H_image_G` takes the map's frame to the picture.

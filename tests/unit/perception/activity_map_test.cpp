@@ -4,8 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
+#include "perception/activity_learner.h"
 #include "perception/activity_prior.h"
 
 namespace hindsight {
@@ -71,6 +73,88 @@ TEST(ActivityMap, MergesAnotherOfTheSamePlace) {
   EXPECT_EQ(a.total(), 2U);
   std::array<ActivityMode, 2> modes;
   EXPECT_EQ(find_modes(a, 0, modes), 1U);
+}
+
+TEST(ActivityMap, KnowsHowLongItLookedWhere) {
+  ActivityMap map(kPixels);
+  const std::array<Eigen::Vector2d, 4> view{Eigen::Vector2d(0, 0), {32, 0}, {32, 16}, {0, 16}};
+  for (int i = 0; i < 5; ++i) map.look(view);
+  map.look(std::array<Eigen::Vector2d, 1>{Eigen::Vector2d(NAN, 0.0)});
+  EXPECT_EQ(map.exposure(128, 128), 5U);
+  EXPECT_EQ(map.exposure(129, 128), 5U);
+  EXPECT_EQ(map.exposure(130, 128), 0U);
+  EXPECT_EQ(map.exposure(128, 129), 0U);
+  EXPECT_EQ(map.exposure(-1, 0), 0U);
+  ActivityMap turned(kPixels);
+  turned.merge(map, 0.5 * M_PI, {0.0, 0.0});
+  EXPECT_EQ(turned.exposure(127, 128), 5U);
+  EXPECT_EQ(turned.exposure(127, 129), 5U);
+  EXPECT_EQ(turned.exposure(128, 128), 0U);
+}
+
+TEST(ActivityPrior, TellsWhatIsUsualFromWhatIsNotAndFromWhatItNeverSaw) {
+  ActivityMap map(kPixels);
+  const std::array<Eigen::Vector2d, 4> view{
+      Eigen::Vector2d(-320, -240), {320, -240}, {320, 240}, {-320, 240}};
+  for (int i = 0; i < 600; ++i) map.look(view);
+  for (int x = -300; x < 300; ++x) map.add({x, 8.0}, polar(5.0, 0.0));
+  const ActivityPrior prior(map);
+  EXPECT_GT(prior.log_ratio({0, 8}, {5, 0}), 3.0) << "usual here";
+  EXPECT_LT(prior.log_ratio({0, 8}, {0, 5}), -0.3) << "elsewhere than it is usual to go";
+  EXPECT_LT(prior.log_ratio({0, 150}, {5, 0}), -0.3) << "looked at for long, and nothing moved";
+  EXPECT_EQ(prior.log_ratio({900, 900}, {5, 0}), 0.0) << "never seen";
+}
+
+TEST(ActivityPrior, TheLongerItLookedTheMoreNothingMeans) {
+  double before = 0.0;
+  for (const int frames : {100, 1000, 10000}) {
+    ActivityMap map(kPixels);
+    const std::array<Eigen::Vector2d, 4> view{
+        Eigen::Vector2d(-320, -240), {320, -240}, {320, 240}, {-320, 240}};
+    for (int i = 0; i < frames; ++i) {
+      map.look(view);
+      map.add({0.0, 0.0}, polar(5.0, 0.0));
+    }
+    const double now = ActivityPrior(map).log_ratio({150, 150}, {5, 0});
+    EXPECT_LT(now, before);
+    before = now;
+  }
+}
+
+/// A map that never looked: nothing is known to be empty.
+TEST(ActivityPrior, WithoutExposureOnlyMotionIsKnown) {
+  ActivityMap map(kPixels);
+  for (int i = 0; i < 30; ++i) map.add({5.0, 5.0}, polar(5.0, 0.0));
+  const ActivityPrior prior(map);
+  EXPECT_GT(prior.log_ratio({5, 5}, {5, 0}), 3.0);
+  EXPECT_EQ(prior.log_ratio({200, 200}, {5, 0}), 0.0);
+}
+
+Track track_at(std::int32_t id, float x, int unseen = 0) {
+  Track track;
+  track.id = id, track.at_px = {x, 0.0F}, track.v_px = {2.0F, 0.0F}, track.unseen_frames = unseen;
+  return track;
+}
+
+TEST(ActivityLearner, LearnsTheWholeWayOfWhatGotAwayAndNothingOfWhatSways) {
+  ActivityMap map(kPixels);
+  ActivityLearner learner;
+  const Eigen::Matrix3d H = Eigen::Matrix3d::Identity();
+  for (int frame = 0; frame < 40; ++frame) {
+    const auto way = static_cast<float>(2 * frame);
+    const float sway = 20.0F * std::sin(0.3F * static_cast<float>(frame));
+    const std::array<Track, 3> tracks{track_at(1, way), track_at(2, 1000.0F + sway),
+                                      track_at(3, 500.0F + way, 1)};
+    learner.learn(tracks, {}, H, map);
+    if (frame == 30) {
+      EXPECT_EQ(map.total(), 0U) << "not yet proven";
+    }
+  }
+  EXPECT_EQ(map.total(), 40U) << "from its first frame on";
+  int column = 0, row = 0;
+  map.cell_of({1.0, 0.0}, column, row);
+  EXPECT_GE(map.find(column, row), 0);
+  for (const auto& cell : map.active()) EXPECT_LT(map.middle_of(cell.column, cell.row).x(), 100.0);
 }
 
 }  // namespace

@@ -203,5 +203,38 @@ TEST(MotionTracker, IsTheSameEveryTime) {
   }
 }
 
+/// A map that says the same of every place.
+class EvenPrior final : public MotionPrior {
+ public:
+  explicit EvenPrior(double log_ratio) : log_ratio_(log_ratio) {}
+  double probability(Point2f, Point2f) const override { return 0.0; }
+  bool sample(Point2f, double, Point2f&) const override { return false; }
+  double log_ratio(Point2f, Point2f) const override { return log_ratio_; }
+
+ private:
+  double log_ratio_;
+};
+
+int frames_until_told(const MotionPrior* prior) {
+  FlowScene scene(33);
+  MotionTracker motion = tracker();
+  for (int frame = 0; frame < 10; ++frame) motion.update(scene.next(), prior);
+  scene.things = {{300, 200, 2.0, 1.0}};
+  for (int frame = 1; frame < 60; ++frame) {
+    if (!motion.update(scene.next(), prior).tracks.empty()) return frame;
+  }
+  return 60;
+}
+
+TEST(MotionTracker, TellsSoonerWhatTheMapExpectsAndLaterWhatItDoesNot) {
+  const EvenPrior unseen(0.0), usual(4.0), never(-3.0);
+  const int without = frames_until_told(nullptr);
+  EXPECT_LT(without, 20);
+  EXPECT_EQ(frames_until_told(&unseen), without);
+  EXPECT_LT(frames_until_told(&usual), without);
+  EXPECT_GT(frames_until_told(&never), without);
+  EXPECT_LT(frames_until_told(&never), 60) << "but it is told";
+}
+
 }  // namespace
 }  // namespace hindsight
