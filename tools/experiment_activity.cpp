@@ -16,8 +16,10 @@
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
+#include "config/crc32.h"
 #include "config/exit_code.h"
 #include "perception/activity_registration.h"
+#include "sim_replay/read_file.h"
 #include "sim_replay/world/random.h"
 #include "tools/activity_report.h"
 #include "tools/aerial_flight.h"
@@ -226,7 +228,7 @@ Json work(const ActivityExperiment& experiment, const ExperimentOutput& output, 
         b);
   const ActivityAlignment found = register_activity(a.map, b.map);
   Json json;
-  json["seed"] = seed, json["frames"] = experiment.frames;
+  json["seed"] = seed;
   for (std::size_t k = 0; k < kObjects.size(); ++k) json["tracking"].push_back(json_of(figures[k]));
   json["single"] = json_of(single_object(world, renderer, seed));
   json["registration"] = compare(a, b, found);
@@ -235,13 +237,24 @@ Json work(const ActivityExperiment& experiment, const ExperimentOutput& output, 
   return json;
 }
 
-/// What an earlier run of the same experiment has flown over: it goes on where that was stopped.
-std::map<std::uint64_t, Json> read_flown(const ActivityExperiment& experiment, const std::string& file) {
+/// Of what two runs must have in common for their worlds to stand in one table: options, and the program.
+Json stamp_of(const ActivityExperiment& experiment) {
+  const auto program = read_file<std::vector<std::uint8_t>>("/proc/self/exe");
+  return {{"frames", experiment.frames},
+          {"training_frames", kTrainingFrames},
+          {"objects", kObjects},
+          {"program_crc32", fmt::format("{:08x}", crc32(program))}};
+}
+
+/// What an earlier run of the same experiment has flown over: it goes on where that was stopped. Lines of
+/// other options, or of another build of the program, are left alone.
+std::map<std::uint64_t, Json> read_flown(const ActivityExperiment& experiment, const Json& stamp,
+                                         const std::string& file) {
   std::map<std::uint64_t, Json> flown;
   std::ifstream lines(file);
   for (std::string line; std::getline(lines, line);) {
     const Json json = Json::parse(line, nullptr, false);
-    if (json.is_discarded() || json.value("frames", 0) != experiment.frames) continue;
+    if (json.is_discarded() || json.value("stamp", Json()) != stamp) continue;
     const auto seed = json.value("seed", std::uint64_t{0});
     if (seed - experiment.seed < static_cast<std::uint64_t>(experiment.seeds)) flown[seed] = json;
   }
@@ -253,7 +266,8 @@ std::map<std::uint64_t, Json> read_flown(const ActivityExperiment& experiment, c
 int run_activity_experiment(const ActivityExperiment& experiment) {
   const ExperimentOutput output(experiment.folder, "activity");
   const std::string kept = output.path("_worlds.jsonl");
-  std::map<std::uint64_t, Json> flown = read_flown(experiment, kept);
+  const Json stamp = stamp_of(experiment);
+  std::map<std::uint64_t, Json> flown = read_flown(experiment, stamp, kept);
   std::vector<int> pieces;
   for (int i = 0; i < experiment.seeds; ++i) {
     if (!flown.contains(experiment.seed + static_cast<std::uint64_t>(i))) pieces.push_back(i);
@@ -262,9 +276,10 @@ int run_activity_experiment(const ActivityExperiment& experiment) {
       static_cast<int>(pieces.size()), experiment.processes,
       [&](int i) { return work(experiment, output, pieces[static_cast<std::size_t>(i)]).dump(); },
       [&](int, const std::string& text) {
-        const Json json = Json::parse(text);
+        Json json = Json::parse(text);
+        json["stamp"] = stamp;
         flown[json["seed"].get<std::uint64_t>()] = json;
-        std::ofstream(kept, std::ios::app) << text << "\n";
+        std::ofstream(kept, std::ios::app) << json.dump() << "\n";
         fmt::print(stderr, "\rworld {} of {}   ", flown.size(), experiment.seeds);
       });
   if (failed > 0) throw FatalError(kExitSoftware, fmt::format("{} worlds could not be flown over", failed));
