@@ -19,7 +19,7 @@ constexpr float kSmallestHalf_px = 4.0F;
 constexpr float kReachOfLost = 1.5F;
 constexpr double kOffItsPlace = 0.4;  ///< way that takes an object off its own place, in parts of its size
 constexpr float kSteadyFrames = 15.0F;
-constexpr float kSteadyNew = 0.85F, kSteady = 0.4F, kSteadyTold = 0.5F;  ///< see Object::steadiness()
+constexpr float kSteadyNew = 0.85F, kSteady = 0.4F;  ///< see Object::steadiness()
 constexpr int kUnseenNew = 2;          ///< frames that an object not yet confirmed may be unseen for
 constexpr double kStraightness = 0.4;  ///< way made over way that its speed promises
 /// Evidence that a new object must gather without a map, in which the map's log ratio counts. Less than a
@@ -305,9 +305,8 @@ void ObjectTracker::tell() {
     const Object& object = objects_[k];
     if (!object.alive || !object.confirmed || object.track.unseen_frames > params_.coast_frames) continue;
     // Where it is by now can be foretold only of what moved steadily.
-    const float steady_enough = object.track.unseen_frames > 0 ? kSteadyNew : kSteadyTold;
-    if (object.dwell_frames <= params_.dwell_frames && object.steadiness() >= steady_enough)
-      shown_.push_back(k);
+    const bool foretold = object.track.unseen_frames == 0 || object.steadiness() >= kSteadyNew;
+    if (foretold && object.dwell_frames <= params_.dwell_frames) shown_.push_back(k);
   }
   std::sort(shown_.begin(), shown_.end(),
             [this](std::size_t a, std::size_t b) { return objects_[a].track.id < objects_[b].track.id; });
