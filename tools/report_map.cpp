@@ -10,6 +10,7 @@
 
 #include "tools/report_style.h"
 #include "tools/svg_chart.h"
+#include "tools/video_tracker.h"
 
 namespace hindsight::tools {
 namespace {
@@ -114,6 +115,13 @@ void draw_events(cv::Mat& picture, const MapView& view, std::span<const EventTra
   }
 }
 
+Eigen::Matrix3d H_picture_W(const MapView& view) {
+  const cv::Point2d origin = view.at({0.0, 0.0});
+  Eigen::Matrix3d H;
+  H << view.px_per_m(), 0.0, origin.x, 0.0, -view.px_per_m(), origin.y, 0.0, 0.0, 1.0;
+  return H;
+}
+
 void draw_goal(cv::Mat& picture, const MapView& view, const std::optional<Point2>& goal_W) {
   if (!goal_W) return;
   const cv::Point2d at = view.at(*goal_W);
@@ -152,6 +160,7 @@ MapScene scene_of(ReplayRun& run, const RunTrace& trace) {
   Robot& robot = run.robot();
   MapScene scene;
   scene.grid = &robot.grid();
+  if (robot.motion() != nullptr) scene.activity = &robot.motion()->map();
   for (const TickTrace& tick : trace.ticks) scene.track_W.push_back({tick.X_WB.x_m, tick.X_WB.y_m});
   scene.path_W.assign(robot.plan().path_W.begin(), robot.plan().path_W.end());
   scene.goal_W = robot.goal_W();
@@ -193,6 +202,7 @@ MapView fit_map(const MapScene& scene, int most_px) {
 cv::Mat draw_map(const MapScene& scene, const MapView& view) {
   cv::Mat picture(view.size(), CV_8UC3, kUnknown.bgr());
   draw_cells(picture, *scene.grid, view);
+  if (scene.activity != nullptr) draw_activity(picture, *scene.activity, H_picture_W(view));
   draw_lines(picture, view, scene.track_W, kInk, 2);
   draw_lines(picture, view, scene.path_W, kRight, 2);
   draw_events(picture, view, scene.events);

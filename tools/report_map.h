@@ -10,15 +10,17 @@
 #include <vector>
 
 #include "config/vehicle_params.h"
+#include "perception/activity_map.h"
 #include "perception/evidence_grid.h"
 #include "tools/report_trace.h"
 
 namespace hindsight::tools {
 
 struct MapScene {
-  const EvidenceGrid* grid = nullptr;  ///< never null
-  std::vector<Point2> track_W;         ///< where the robot was
-  std::vector<Point2> path_W;          ///< where it means to go
+  const EvidenceGrid* grid = nullptr;     ///< never null
+  const ActivityMap* activity = nullptr;  ///< where things move, in W; null: not looked for
+  std::vector<Point2> track_W;            ///< where the robot was
+  std::vector<Point2> path_W;             ///< where it means to go
   std::optional<Point2> goal_W;
   std::vector<EventTrace> events;
   Pose2 X_WB;

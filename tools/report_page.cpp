@@ -188,10 +188,12 @@ void write_page(const ReportFolder& folder, const std::string& log, ReplayRun& r
         fmt::format("<p><a href='{0}'>{0}</a></p>\n<video src='{0}' controls muted width='1120'></video>\n",
                     escape_html(video));
   }
-  section.begin("Map", "The evidence grid at the end of the run, north up." + key({129, 199, 150}, "free") +
-                           key(kBad, "high cost") + key(kLethal, "lethal") + key(kUnknown, "unknown") +
-                           key(kInk, "driven") + key(kRight, "planned") + key({214, 51, 132}, "goal") +
-                           ". Dots: training events.");
+  section.begin("Map",
+                "The evidence grid at the end of the run, north up." + key({129, 199, 150}, "free") +
+                    key(kBad, "high cost") + key(kLethal, "lethal") + key(kUnknown, "unknown") +
+                    key(kInk, "driven") + key(kRight, "planned") + key({214, 51, 132}, "goal") +
+                    ". Dots: training events." +
+                    (run.configuration().motion.enabled ? " Arrows: what moves there, and whereto." : ""));
   add_map(page, folder, run, trace);
   section.begin(
       "What the touches taught",
@@ -206,13 +208,18 @@ void write_page(const ReportFolder& folder, const std::string& log, ReplayRun& r
                               key(kPaper, "horizon, touched patch"));
   page += "<div class='frames'>" + or_none(gallery.frames_html()) + "</div>\n";
   if (trace.road_sought) {
-    section.begin("Road", "How much the road stands out from what lies beside it; a gap: no road is told. In the frames above: " +
-                              key(kStale, "road") + key(kPaper, "its middle"));
+    section.begin("Road",
+                  "How much the road stands out from what lies beside it; a gap: no road is told. In the "
+                  "frames above: " +
+                      key(kStale, "road") + key(kPaper, "its middle"));
     page += road_chart(trace);
   }
-  section.begin("Slip", "Each wheel against the ground, which tells slip while it is seen; below, the spectrum of each motor "
-                        "current over time, relative to its mean.");
-  if (run.configuration().ground_slip.enabled) page += ground_chart(trace, Wheel::left) + ground_chart(trace, Wheel::right);
+  section.begin(
+      "Slip",
+      "Each wheel against the ground, which tells slip while it is seen; below, the spectrum of each motor "
+      "current over time, relative to its mean.");
+  if (run.configuration().ground_slip.enabled)
+    page += ground_chart(trace, Wheel::left) + ground_chart(trace, Wheel::right);
   add_spectrograms(page, folder, run, trace);
   section.begin("Timing", run.source().recorded_ticks() ? "As the recorded run measured it."
                                                         : "As this replay measured it.");

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <opencv2/imgproc.hpp>
 
 #include "tools/report_style.h"
 
@@ -62,6 +63,21 @@ TEST_F(ReportMap, DrawsTheBodyBehindAnAxleThatHeadsNorth) {
   const cv::Point2d body = middle_of(draw_map(scene, MapView({-5.0, -5.0}, {5.0, 5.0}, 40.0)), kLeft);
   EXPECT_NEAR(body.x, 200.0, 2.0);
   EXPECT_GT(body.y, 202.0);  // the tail is longer than the nose, hence to the south
+}
+
+TEST_F(ReportMap, DrawsWhereThingsMoveAndWhereTo) {
+  ActivityMap activity({.cell = 0.5, .cells = 32, .max_speed = 1.5});
+  for (int i = 0; i < 20; ++i) activity.add({2.25, 3.25}, {0.0, 0.1});
+  const MapView view({-5.0, -5.0}, {5.0, 5.0}, 40.0);
+  const cv::Mat without = draw_map(scene, view);
+  scene.activity = &activity;
+  cv::Mat changed;
+  cv::absdiff(without, draw_map(scene, view), changed);
+  cv::cvtColor(changed, changed, cv::COLOR_BGR2GRAY);
+  const cv::Rect arrow = cv::boundingRect(changed);
+  EXPECT_NEAR(arrow.x + arrow.width / 2.0, (2.25 + 5.0) * 40.0, 2.0);
+  EXPECT_NEAR(arrow.br().y, (5.0 - 3.25) * 40.0, 4.0) << "it begins in the cell";
+  EXPECT_GT(arrow.height, 20) << "and points north";
 }
 
 TEST_F(ReportMap, FitsEverythingThatIsKnown) {
