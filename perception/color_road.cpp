@@ -49,6 +49,8 @@ constexpr int kSearchColumns = 360, kFollowSteps = 30, kAcquireSteps = 70;
 /// Ground that begins lower, in picture heights, is too little to see a road on.
 constexpr double kLowestHorizon = 0.9;
 constexpr double kConfidenceMemory_s = 1.0;
+/// Ground nearer than this, in parts of the way from the horizon to the bottom, is taken for flat.
+constexpr float kHinge = 0.2F;
 
 /// Of a first-order filter's way that it goes in a frame.
 float part_in(double dt_s, double memory_s) { return static_cast<float>(1.0 - std::exp(-dt_s / memory_s)); }
@@ -64,10 +66,12 @@ ColorRoad::ColorRoad(const RoadParams& params, const RoadPicture& picture, int h
       learner_(params, picture, history_depth),
       profile_(params.rows, stored_width_),
       search_(params.rows, std::max(1, stored_width_ / kSearchColumns), kAcquireSteps),
-      filter_(params.rows) {
+      filter_(params.rows),
+      rise_(stored_width_) {
   rows_.resize(static_cast<std::size_t>(params.rows));
   expected_.resize(rows_.size());
   found_.resize(rows_.size());
+  line_.resize(rows_.size());
   reset();
 }
 
@@ -75,6 +79,7 @@ void ColorRoad::reset() {
   learner_.clear();
   filter_.reset();
   following_ = false;
+  risen_ = false;
   confidence_ = 0.0F;
   const double horizon_px =
       std::isfinite(picture_.horizon_row_px) ? picture_.horizon_row_px : 0.4 * picture_.height_px;
@@ -98,6 +103,7 @@ void ColorRoad::update(const RoadInput& input, RoadEstimate& estimate) {
   } else if (frames_ % std::max(1L, std::lround(kAcquireEvery_s / std::max(input.dt_s, 1e-3))) == 0) {
     acquire(picture);
   }
+  look_up(picture);
   tell(estimate);
 }
 
@@ -105,7 +111,9 @@ void ColorRoad::learn(const RoadInput& input, const ColorView& picture) {
   learner_.fade(input.dt_s);
   learner_.learn_definition(input, picture, shape_.horizon, ++frames_ % params_.refresh_frames == 0);
   if (following_) {
-    learner_.learn_beside(picture, rows_, std::span(found_).first(static_cast<std::size_t>(visible_rows_)));
+    const int flat_rows = risen_ ? hinge_ : visible_rows_;
+    learner_.learn_beside(picture, rows_, std::span(found_).first(static_cast<std::size_t>(flat_rows)));
+    if (risen_) learner_.learn_beside(picture, rise_.rows(), rise_.roads());
     learner_.learn_above(picture, shape_.horizon);
   } else {
     lay_rows(shape_);
@@ -283,17 +291,44 @@ bool ColorRoad::whole(const FoundRoad& road) const {
          road.middle_px + road.half_width_px < static_cast<float>(stored_width_);
 }
 
+/// Looks for the road on rising ground, beyond the rows that are near enough to be taken for flat. Where the
+/// horizon is itself made out of the rows' widths, rising ground cannot be told from a wrong one.
+void ColorRoad::look_up(const ColorView& picture) {
+  risen_ = false;
+  if (!following_ || !std::isfinite(picture_.horizon_row_px)) return;
+  const float nearest = shape_.horizon + kHinge * (static_cast<float>(stored_height_ - 1) - shape_.horizon);
+  const auto visible = static_cast<std::size_t>(visible_rows_);
+  std::size_t hinge = 0;
+  for (std::size_t k = 0; k < visible; ++k) {
+    const int row = static_cast<int>(k);
+    line_[k] = {filter_.middle_px(row), half_width(shape_, k) * filter_.width_ratio(row), 0.0F, 0.0F};
+    if (rows_[k].row > nearest) hinge = k;
+  }
+  if (hinge == 0) return;
+  hinge_ = static_cast<int>(hinge) + 1;
+  risen_ = rise_.find({shape_.horizon, std::span(rows_).subspan(hinge, visible - hinge),
+                       std::span(line_).subspan(hinge, visible - hinge)},
+                      learner_.colors(), picture, static_cast<std::size_t>(kMostRoadRows - hinge_));
+}
+
 void ColorRoad::tell(RoadEstimate& estimate) const {
   estimate.status = following_ ? RoadStatus::following : RoadStatus::no_road;
   estimate.confidence = static_cast<double>(confidence_);
   estimate.horizon_row_px = static_cast<double>(picture_.full_px(shape_.horizon));
-  estimate.count = following_ ? visible_rows_ : 0;
-  for (std::size_t k = 0; k < static_cast<std::size_t>(estimate.count); ++k) {
-    const int row = static_cast<int>(k);
-    const float half = half_width(shape_, k) * filter_.width_ratio(row), middle = filter_.middle_px(row);
-    estimate.row[k] = {picture_.full_px(rows_[k].row), picture_.full_px(middle - half),
-                       picture_.full_px(middle + half)};
+  estimate.count = 0;
+  if (!following_) return;
+  const auto add = [&](float row, float middle, float half) {
+    estimate.row[static_cast<std::size_t>(estimate.count++)] = {
+        picture_.full_px(row), picture_.full_px(middle - half), picture_.full_px(middle + half)};
+  };
+  const int flat_rows = risen_ ? hinge_ : visible_rows_;
+  for (int row = 0; row < flat_rows; ++row) {
+    const auto k = static_cast<std::size_t>(row);
+    add(rows_[k].row, filter_.middle_px(row), half_width(shape_, k) * filter_.width_ratio(row));
   }
+  if (!risen_) return;
+  for (std::size_t k = 0; k < rise_.rows().size(); ++k)
+    add(rise_.rows()[k].row, rise_.roads()[k].middle_px, rise_.roads()[k].half_width_px);
 }
 
 }  // namespace hindsight

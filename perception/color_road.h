@@ -16,6 +16,7 @@
 #include "perception/road_line_filter.h"
 #include "perception/road_params.h"
 #include "perception/road_profile.h"
+#include "perception/road_rise.h"
 #include "perception/road_search.h"
 
 namespace hindsight {
@@ -51,6 +52,7 @@ class ColorRoad {
   bool whole(const FoundRoad& road) const;
   void correct(std::span<const FoundRoad> found);
   float judge(std::span<const FoundRoad> found);
+  void look_up(const ColorView& picture);
   void tell(RoadEstimate& estimate) const;
   float half_width(const Shape& shape, std::size_t row) const;
 
@@ -71,6 +73,10 @@ class ColorRoad {
   bool following_ = false;
   float confidence_ = 0.0F;
   int visible_rows_ = 0;
+  RoadRise rise_;
+  std::vector<FoundRoad> line_;  ///< as the filter has it
+  int hinge_ = 0;                ///< rows below which the ground is taken for flat
+  bool risen_ = false;
   int frames_ = 0;
 };
 

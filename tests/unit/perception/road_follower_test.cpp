@@ -31,6 +31,7 @@ class Drive {
   double half_width_m = 1.5;
   bool road = true;
   double light = 1.0;
+  double rise_px = 0.0;  ///< how far a slope ahead reaches above the horizon of flat ground
 
   const RoadEstimate& frame() {
     paint();
@@ -50,11 +51,13 @@ class Drive {
   }
   /// Column of the road's edge in a row; side -1: left.
   double edge(double row, int side) const {
-    return kWidth / 2.0 + (-aside_m + side * half_width_m) * (row - kHorizon);
+    const double below = rise_px > 0.0 ? std::max(row - kHorizon, kSlopeFrom) : row - kHorizon;
+    return kWidth / 2.0 + (-aside_m + side * half_width_m) * below;
   }
 
  private:
   static constexpr double kStep_m = 0.1;
+  static constexpr double kSlopeFrom = 12.0;  ///< rows below the horizon where the slope begins
 
   /// Depth 1 m times focal length over rows below the horizon; one step back it was a little farther.
   FlowVector flow_at(float x, float y) const {
@@ -67,7 +70,7 @@ class Drive {
     std::uniform_real_distribution<double> noise(-12.0, 12.0);
     for (int y = 0; y < kHeight; ++y) {
       for (int x = 0; x < kWidth; ++x) {
-        const bool sky = y < kHorizon, on = road && x > edge(y, -1) && x < edge(y, 1);
+        const bool sky = y < kHorizon - rise_px, on = road && x > edge(y, -1) && x < edge(y, 1);
         const double n = noise(random_);
         const double b = sky  ? 230.0
                          : on ? 70.0
@@ -133,6 +136,25 @@ TEST(RoadFollower, FindsAStraightRoad) {
   Drive drive(quick());
   drive.aside_m = 0.3;
   expect_road(drive.frames(40), drive, 0.15);
+}
+
+TEST(RoadFollower, FollowsTheRoadUpASlopeAboveTheHorizon) {
+  Drive drive(quick());
+  drive.rise_px = 20.0;
+  const RoadEstimate& estimate = drive.frames(60);
+  ASSERT_EQ(estimate.status, RoadStatus::following);
+  EXPECT_LT(estimate.rows().back().row_px, kHorizon - 14.0);
+  for (const RoadRow& row : estimate.rows()) {
+    if (row.row_px < kHorizon - 16.0) continue;
+    const double half = 0.5 * (drive.edge(row.row_px, 1) - drive.edge(row.row_px, -1));
+    EXPECT_NEAR(row.left_px, drive.edge(row.row_px, -1), 0.25 * half) << row.row_px;
+    EXPECT_NEAR(row.right_px, drive.edge(row.row_px, 1), 0.25 * half) << row.row_px;
+  }
+}
+
+TEST(RoadFollower, TellsNothingAboveTheHorizonOfFlatGround) {
+  Drive drive(quick());
+  EXPECT_GT(drive.frames(60).rows().back().row_px, kHorizon - 6.0);
 }
 
 TEST(RoadFollower, FindsTheHorizonOfAnUnknownCamera) {
