@@ -25,6 +25,12 @@ class RoadProfile {
   /// Sum over the columns [left, right); outside of the picture nothing is known, which counts 0.
   float between(int index, float left_px, float right_px) const;
 
+  /// Sums over the columns before each, width + 1 of them.
+  std::span<const float> sums(int index) const {
+    const auto count = static_cast<std::size_t>(width_px_ + 1);
+    return std::span(sums_).subspan(static_cast<std::size_t>(index) * count, count);
+  }
+
  private:
   int width_px_;
   std::vector<float> sums_;  ///< width + 1 for each row

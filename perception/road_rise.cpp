@@ -5,15 +5,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
+#include <numeric>
 
 namespace hindsight {
 namespace {
 
 /// Rows in which it is looked for, and places in each.
 constexpr int kRows = 64, kColumns = 180;
-/// Half widths that are tried [px]; narrower than the first, a road has vanished.
-constexpr int kWidths = 16;
+/// The narrowest half width that is tried [px], and how much wider the next ones are; narrower, a road has
+/// vanished.
 constexpr float kNarrowest = 3.0F, kWidthStep = 1.25F;
 /// It begins with the widest of them that is no wider than the road at the hinge, up to this factor.
 constexpr float kAsWide = 1.1F;
@@ -29,10 +29,12 @@ constexpr float kSeenFit = 0.2F;
 /// So much better must it be seen than on flat ground, in rows that fit by 1.
 constexpr float kBetter = 3.0F;
 
-std::array<float, kWidths> half_widths() {
-  std::array<float, kWidths> widths{};
-  for (int j = 0; j < kWidths; ++j)
-    widths[static_cast<std::size_t>(j)] = kNarrowest * std::pow(kWidthStep, static_cast<float>(j));
+using Widths = std::array<float, RoadRise::kWidths>;
+
+Widths half_widths() {
+  Widths widths{};
+  for (std::size_t j = 0; j < widths.size(); ++j)
+    widths[j] = kNarrowest * std::pow(kWidthStep, static_cast<float>(j));
   return widths;
 }
 
@@ -106,7 +108,7 @@ float RoadRise::search(const FoundRoad& start) {
   std::fill(best_.begin(), best_.end(), kNever);
   const int column = std::clamp(static_cast<int>(start.middle_px) / step_px_, 0, columns_ - 1);
   const auto wider = std::upper_bound(kHalf_px.begin() + 1, kHalf_px.end(), start.half_width_px * kAsWide);
-  best_[state(column, static_cast<int>(wider - kHalf_px.begin()) - 1)] = 0.0F;
+  best_[state(column, static_cast<std::size_t>(wider - kHalf_px.begin()) - 1)] = 0.0F;
   float most = 0.0F;
   end_row_ = 0;
   for (int row = 0; row < kRows; ++row) {
@@ -123,49 +125,69 @@ float RoadRise::search(const FoundRoad& start) {
 
 void RoadRise::step_from(int row) {
   before_ = best_;
-  for (int width = 0; width < kWidths; ++width) step_aside(width);
+  step_aside();
   std::swap(best_, before_);
   std::uint16_t* link = &link_[static_cast<std::size_t>(row) * best_.size()];
-  const auto columns = static_cast<std::size_t>(columns_);
   for (std::size_t i = 0; i < best_.size(); ++i) {
+    const std::size_t width = i % kWidths;
     best_[i] = before_[i], link[i] = from_[i];
-    if (i + columns < best_.size() && before_[i + columns] - kNarrower > best_[i])
-      best_[i] = before_[i + columns] - kNarrower, link[i] = from_[i + columns];
-    if (i >= columns && before_[i - columns] - kWider > best_[i])
-      best_[i] = before_[i - columns] - kWider, link[i] = from_[i - columns];
+    if (width + 1 < kWidths && before_[i + 1] - kNarrower > best_[i])
+      best_[i] = before_[i + 1] - kNarrower, link[i] = from_[i + 1];
+    if (width > 0 && before_[i - 1] - kWider > best_[i])
+      best_[i] = before_[i - 1] - kWider, link[i] = from_[i - 1];
   }
 }
 
 /// The cost of a bend is linear in how far it goes, so that two sweeps find the best place to come from.
-void RoadRise::step_aside(int width) {
-  const float half_px = kHalf_px[static_cast<std::size_t>(width)];
-  const float cost = kBend * static_cast<float>(step_px_) / half_px;
-  const int reach = static_cast<int>(kReach * half_px) / step_px_;
-  const std::size_t first = state(0, width), last = state(columns_ - 1, width);
-  for (std::size_t i = first; i <= last; ++i) from_[i] = static_cast<std::uint16_t>(i);
+void RoadRise::step_aside() {
+  Widths cost{};
+  std::array<std::size_t, kWidths> reach{};
+  for (std::size_t j = 0; j < kWidths; ++j) {
+    cost[j] = kBend * static_cast<float>(step_px_) / kHalf_px[j];
+    reach[j] = static_cast<std::size_t>(static_cast<int>(kReach * kHalf_px[j]) / step_px_) * kWidths;
+  }
+  std::iota(from_.begin(), from_.end(), std::uint16_t{0});
   const auto come = [&](std::size_t to, std::size_t from) {
-    if (best_[from] - cost > best_[to]) best_[to] = best_[from] - cost, from_[to] = from_[from];
+    for (std::size_t j = 0; j < kWidths; ++j) {
+      const float value = best_[from + j] - cost[j];
+      const bool better = value > best_[to + j];
+      best_[to + j] = better ? value : best_[to + j];
+      from_[to + j] = better ? from_[from + j] : from_[to + j];
+    }
   };
-  for (std::size_t i = first + 1; i <= last; ++i) come(i, i - 1);
-  for (std::size_t i = last; i-- > first;) come(i, i + 1);
-  for (std::size_t i = first; i <= last; ++i) {
-    if (std::abs(static_cast<int>(from_[i]) - static_cast<int>(i)) <= reach) continue;
+  for (std::size_t i = kWidths; i < best_.size(); i += kWidths) come(i, i - kWidths);
+  for (std::size_t i = best_.size() - kWidths; i > 0; i -= kWidths) come(i - kWidths, i);
+  for (std::size_t i = 0; i < best_.size(); ++i) {
+    const std::size_t from = from_[i];
+    if (std::max(from, i) - std::min(from, i) <= reach[i % kWidths]) continue;
     best_[i] = before_[i], from_[i] = static_cast<std::uint16_t>(i);
   }
 }
 
+/// As fit_of() has it, with edges on whole pixels: what is inside counts twice where all within twice the
+/// width is taken off.
 void RoadRise::score(int row) {
-  for (int width = 0; width < kWidths; ++width)
-    for (int column = 0; column < columns_; ++column)
-      best_[state(column, width)] += fit_of(profile_, row, static_cast<float>(column * step_px_),
-                                            kHalf_px[static_cast<std::size_t>(width)]);
+  const std::span<const float> sums = profile_.sums(row);
+  const int width_px = profile_.width_px();
+  for (std::size_t j = 0; j < kWidths; ++j) {
+    const int half = static_cast<int>(kHalf_px[j] + 0.5F);
+    const float share = 0.5F / kHalf_px[j];
+    const auto up_to = [&](int column) {
+      return sums[static_cast<std::size_t>(std::clamp(column, 0, width_px))];
+    };
+    for (int column = 0; column < columns_; ++column) {
+      const int x = column * step_px_;
+      const float inside = up_to(x + half) - up_to(x - half);
+      const float around = up_to(x + 2 * half) - up_to(x - 2 * half);
+      best_[state(column, j)] += share * (2.0F * inside - around) - kSeenFit;
+    }
+  }
 }
 
 void RoadRise::trace() {
   std::size_t at = end_state_;
   for (int row = end_row_; row >= 0; --row) {
-    const auto width = at / static_cast<std::size_t>(columns_);
-    const auto column = at % static_cast<std::size_t>(columns_);
+    const std::size_t width = at % kWidths, column = at / kWidths;
     const FoundRoad found{static_cast<float>(column) * static_cast<float>(step_px_), kHalf_px[width], 0.0F,
                           0.0F};
     road_[static_cast<std::size_t>(row)] = refine_road(profile_, row, found, kHalf_px[width]);

@@ -31,6 +31,8 @@ class RoadRise {
  public:
   /// Rows told at most.
   static constexpr std::size_t kMostTold = 14;
+  /// Half widths that are tried.
+  static constexpr std::size_t kWidths = 16;
 
   explicit RoadRise(int width_px);
 
@@ -43,15 +45,14 @@ class RoadRise {
   std::span<const FoundRoad> roads() const { return std::span(told_road_).first(told_); }
 
  private:
-  std::size_t state(int column, int width) const {
-    return static_cast<std::size_t>(width) * static_cast<std::size_t>(columns_) +
-           static_cast<std::size_t>(column);
+  static std::size_t state(int column, std::size_t width) {
+    return static_cast<std::size_t>(column) * kWidths + width;
   }
   void lay_rows(const RoadHinge& hinge, const RoadColors& colors, const ColorView& picture);
   float flat_worth(const RoadHinge& hinge) const;
   float search(const FoundRoad& start);
   void step_from(int row);
-  void step_aside(int width);
+  void step_aside();
   void score(int row);
   void trace();
   void tell(std::size_t most);
