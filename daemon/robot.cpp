@@ -35,7 +35,8 @@ Robot::Robot(const RobotSetup& setup)
 }
 
 Decision Robot::step(const TickInput& input, Outbox& outbox) {
-  const bool new_frame = senses_.update(input).new_picture && sight_.see(*input.frame);
+  senses_.update(input);
+  const bool new_frame = see(input);
   sensed_ = senses_.feel_slip(input, new_frame ? sight_.ground_step() : nullptr);
   localise(input);
   obey(input);
@@ -49,6 +50,8 @@ Decision Robot::step(const TickInput& input, Outbox& outbox) {
   last_reason_ = reason;
   return decision;
 }
+
+bool Robot::see(const TickInput& input) { return input.frame && sight_.see(*input.frame); }
 
 void Robot::localise(const TickInput& input) {
   const VehicleSignals& vehicle = sensed_.vehicle;

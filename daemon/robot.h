@@ -64,6 +64,7 @@ class Robot {
   const std::optional<Point2>& goal_W() const { return goal_W_; }
 
  private:
+  bool see(const TickInput& input);
   void localise(const TickInput& input);
   void obey(const TickInput& input);
   bool permits(double mode) const;

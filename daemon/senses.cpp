@@ -21,8 +21,7 @@ Senses::Senses(const Configuration& configuration, const Dbc& dbc)
     : params_(configuration.failsafe),
       decoder_(dbc, configuration.can_roles),
       slip_(configuration.slip, configuration.robot.current_rate_hz, configuration.ground_slip,
-            configuration.vehicle.track_width_m),
-      pictures_(configuration.camera.format.width_px, configuration.camera.format.height_px) {}
+            configuration.vehicle.track_width_m) {}
 
 void Senses::decode(const TickInput& input) {
   for (const CanFrame& frame : input.can) {
@@ -65,8 +64,7 @@ void Senses::follow_lines(const TickInput& input) {
 }
 
 void Senses::judge_sources(const TickInput& input) {
-  sensed_.new_picture = input.frame && pictures_.is_another(*input.frame);
-  if (sensed_.new_picture) last_sample_[index_of(Source::camera)] = input.frame->stamp;
+  if (input.frame) last_sample_[index_of(Source::camera)] = input.frame->stamp;
   if (!input.fixes.empty()) last_sample_[index_of(Source::gps)] = input.fixes.back().stamp;
   if (!input.commands.empty()) last_sample_[index_of(Source::operator_link)] = input.commands.back().stamp;
   for (const SourceReport& report : input.reports) {

@@ -6,7 +6,6 @@
 
 #include <array>
 
-#include "daemon/picture_watch.h"
 #include "daemon/robot_config.h"
 #include "drivers/tick_input.h"
 #include "drivers/vehicle_decoder.h"
@@ -22,7 +21,6 @@ struct Sensed {
   std::array<bool, kLineCount> seen_released{};    ///< since the lines were opened
   std::array<SourceState, kSourceCount> sources{};
   std::array<std::uint32_t, kSourceCount> dropped{};
-  bool new_picture = false;  ///< this tick's frame is there, and another one than the last
   bool wheels_fresh = false;
   bool yaw_rate_fresh = false;
   bool gps_lost = false;  ///< there was a fix, but none for failsafe.gps_timeout_s
@@ -55,7 +53,6 @@ class Senses {
   FailsafeParams params_;
   VehicleDecoder decoder_;
   SlipWatch slip_;
-  PictureWatch pictures_;
   Sensed sensed_;
   std::array<Time, kSourceCount> last_sample_{};
   std::array<SourceState, kSourceCount> reported_{};

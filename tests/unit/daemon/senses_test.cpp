@@ -4,8 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include "drivers/frame_pool.h"
-
 namespace hindsight {
 namespace {
 
@@ -37,26 +35,6 @@ TEST_F(SensesTest, ABumperIsStuckUntilItWasSeenReleased) {
   input_.reports.push_back({4s, Source::gpio, SourceState::failed, 0, ENODEV});
   EXPECT_TRUE(at(4s).is_stuck(Line::bumper_left))
       << "the lines are opened anew: what was seen no longer counts";
-}
-
-TEST_F(SensesTest, APictureThatComesAgainIsNoNewOne) {
-  FramePool pool(3, 0, 0);
-  const auto picture = [&](Time stamp, int row, std::uint8_t value) {
-    input_.frame = pool.take();
-    Frame& frame = input_.frame.writable();
-    frame.stamp = stamp, frame.width_px = 4, frame.height_px = 40;
-    frame.bgr.assign(480, 0);
-    frame.bgr[static_cast<std::size_t>(12 * row + 7)] = value;
-    return at(stamp);
-  };
-  EXPECT_TRUE(picture(1000ms, 32, 1).new_picture);
-  EXPECT_TRUE(picture(1100ms, 32, 2).new_picture);
-  EXPECT_TRUE(picture(1200ms, 16, 2).new_picture);
-  EXPECT_FALSE(picture(1300ms, 16, 2).new_picture);
-  EXPECT_EQ(picture(1500ms, 16, 2).sources[0], SourceState::fresh);
-  EXPECT_EQ(picture(1501ms, 16, 2).sources[0], SourceState::stale) << "as if no frames came";
-  EXPECT_EQ(picture(1600ms, 16, 3).sources[0], SourceState::fresh);
-  EXPECT_FALSE(at(1700ms).new_picture);
 }
 
 TEST_F(SensesTest, GpsIsLostAfterItsTimeAndOnlyIfItWasThere) {

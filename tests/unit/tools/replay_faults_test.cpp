@@ -36,7 +36,6 @@ TEST(ReplayFaults, EachFaultStopsTheVehicleForItsReason) {
   const std::string log = recorded_drive();
   const std::map<std::string, StopReason> expected{
       {"camera:off:2s:1.5s", StopReason::camera}, {"camera:garbage:2s:1.5s", StopReason::camera},
-      {"camera:stuck:2s:1.5s", StopReason::camera},
       {"can:off:2s:1.5s", StopReason::wheels},    {"can:garbage:2s:1.5s", StopReason::wheels},
       {"can:stuck:2s:1.5s", StopReason::wheels},  {"gpio:off:2s:1.5s", StopReason::gpio},
       {"gps:off:2s:1.5s", StopReason::none},      {"gps:wrong:2s:1.5s", StopReason::none}};
