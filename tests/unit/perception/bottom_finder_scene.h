@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "mounted_camera.h"
 #include "perception/bottom_finder.h"
 
 namespace hindsight {
@@ -17,21 +18,8 @@ constexpr double kCell_m = 0.2;
 constexpr auto kGood = TerrainClass::good, kBad = TerrainClass::bad, kLethal = TerrainClass::lethal,
                kUnknown = TerrainClass::unknown;
 
-inline CameraModel test_camera() {
-  CameraModel camera;
-  camera.width_px = 720;
-  camera.height_px = 480;
-  camera.fx_px = camera.fy_px = 420;
-  camera.cx_px = 359.5;
-  camera.cy_px = 239.5;
-  camera.p_BC_m = {-0.1, 0, 1.0};
-  camera.set_orientation(0, 0.35, 0);
-  camera.set_field_of_view();
-  return camera;
-}
-
 struct Scene {
-  CameraModel camera = test_camera();
+  CameraModel camera = mounted_camera();
   std::vector<TerrainClass> labels = std::vector<TerrainClass>(720 * 480, kGood);
 
   TerrainClass& at(int x, int y) { return labels[static_cast<std::size_t>(y * camera.width_px + x)]; }

@@ -6,23 +6,11 @@
 
 #include <cmath>
 
+#include "mounted_camera.h"
 #include "perception/road_horizon.h"
 
 namespace hindsight {
 namespace {
-
-CameraModel camera() {
-  CameraModel model;
-  model.width_px = 720;
-  model.height_px = 480;
-  model.fx_px = model.fy_px = 420.0;
-  model.cx_px = 359.5;
-  model.cy_px = 239.5;
-  model.p_BC_m = {-0.1, 0.0, 1.0};
-  model.set_orientation(0.0, 0.35, 0.0);
-  model.set_field_of_view();
-  return model;
-}
 
 /// As a camera sees a road on the ground whose middle lies at y = aside + bend x^2, `up_px` higher than it
 /// should.
@@ -43,7 +31,7 @@ RoadEstimate seen(const CameraModel& camera, double aside_m, double bend_per_m, 
 }
 
 TEST(RoadOnGround, IsWhereTheRoadLies) {
-  const CameraModel model = camera();
+  const CameraModel model = mounted_camera();
   for (const double up_px : {0.0, 12.0}) {  // however the vehicle pitches
     const RoadOnGround ground = road_on_ground(seen(model, 0.4, 0.01, 3.0, up_px), model, 30.0);
     ASSERT_EQ(ground.count, 11);
@@ -56,7 +44,7 @@ TEST(RoadOnGround, IsWhereTheRoadLies) {
 }
 
 TEST(RoadOnGround, LeavesOutWhatIsFarOrNotKnown) {
-  const CameraModel model = camera();
+  const CameraModel model = mounted_camera();
   RoadEstimate road = seen(model, 0.0, 0.0, 3.0, 0.0);
   EXPECT_EQ(road_on_ground(road, model, 6.5).count, 5);
   road.horizon_row_px = std::nan("");
@@ -64,7 +52,7 @@ TEST(RoadOnGround, LeavesOutWhatIsFarOrNotKnown) {
 }
 
 TEST(PointAhead, LiesOnTheMiddleAtTheDistanceOrAtTheRoadsEnd) {
-  const CameraModel model = camera();
+  const CameraModel model = mounted_camera();
   const RoadOnGround ground = road_on_ground(seen(model, 0.5, 0.0, 3.0, 0.0), model, 30.0);
   const auto ahead = point_ahead_B(ground, 5.0);
   ASSERT_TRUE(ahead);
