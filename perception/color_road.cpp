@@ -10,15 +10,10 @@
 namespace hindsight {
 namespace {
 
-/// The farthest row, in parts of the way from the horizon to the bottom; above the horizon, as ground may
-/// rise.
-constexpr float kFarthest = -0.04F;
 /// Half widths per row below the horizon (half the road's width over the camera's height) that are tried
 /// where no road is known, and horizons in parts of the picture's height where the camera does not tell.
 constexpr std::array kSlopes{0.5F, 0.8F, 1.25F, 2.0F, kWidestRoadSlope};
 constexpr std::array kHorizons{0.2F, 0.3F, 0.4F, 0.5F};
-/// No road is expected to be narrower than this half width, however far away.
-constexpr float kNarrowest = 2.5F;
 /// Standard deviations of a row's middle in half widths, where the fit is 1.
 constexpr float kRowSigma = 0.15F;
 /// Rows that fit worse than this are no more uncertain.
@@ -42,8 +37,6 @@ constexpr float kVisibleFit = 0.65F;
 constexpr float kVisibleShare = 0.4F;
 /// Whose mean likelihood is less than this is no road, however it stands out.
 constexpr float kUnlike = -0.2F;
-/// A road whose end is not seen goes on as straight as over so many rows.
-constexpr std::size_t kStraightRows = 5;
 /// Offsets tried, in profile columns to each side.
 constexpr int kSearchColumns = 360, kFollowSteps = 30, kAcquireSteps = 70;
 /// Ground that begins lower, in picture heights, is too little to see a road on.
@@ -71,7 +64,7 @@ ColorRoad::ColorRoad(const RoadParams& params, const RoadPicture& picture, int h
   rows_.resize(static_cast<std::size_t>(params.rows));
   expected_.resize(rows_.size());
   found_.resize(rows_.size());
-  line_.resize(rows_.size());
+  line_.reserve(rows_.size());
   reset();
 }
 
@@ -79,15 +72,12 @@ void ColorRoad::reset() {
   learner_.clear();
   filter_.reset();
   following_ = false;
+  line_.clear();
   risen_ = false;
   confidence_ = 0.0F;
   const double horizon_px =
       std::isfinite(picture_.horizon_row_px) ? picture_.horizon_row_px : 0.4 * picture_.height_px;
   shape_ = {static_cast<float>(horizon_px / picture_.shrink), 1.25F};
-}
-
-float ColorRoad::half_width(const Shape& shape, std::size_t row) const {
-  return std::max(kNarrowest, shape.slope * (rows_[row].row - shape.horizon));
 }
 
 void ColorRoad::update(const RoadInput& input, RoadEstimate& estimate) {
@@ -103,6 +93,7 @@ void ColorRoad::update(const RoadInput& input, RoadEstimate& estimate) {
   } else if (frames_ % std::max(1L, std::lround(kAcquireEvery_s / std::max(input.dt_s, 1e-3))) == 0) {
     acquire(picture);
   }
+  draw_line();
   look_up(picture);
   tell(estimate);
 }
@@ -111,8 +102,7 @@ void ColorRoad::learn(const RoadInput& input, const ColorView& picture) {
   learner_.fade(input.dt_s);
   learner_.learn_definition(input, picture, shape_.horizon, ++frames_ % params_.refresh_frames == 0);
   if (following_) {
-    const int flat_rows = risen_ ? hinge_ : visible_rows_;
-    learner_.learn_beside(picture, rows_, std::span(found_).first(static_cast<std::size_t>(flat_rows)));
+    learner_.learn_beside(picture, rows_, std::span(found_).first(risen_ ? flat_rows_ : line_.size()));
     if (risen_) learner_.learn_beside(picture, rise_.rows(), rise_.roads());
     learner_.learn_above(picture, shape_.horizon);
   } else {
@@ -122,27 +112,14 @@ void ColorRoad::learn(const RoadInput& input, const ColorView& picture) {
   learner_.refresh();
 }
 
-/// From the bottom of the picture to just below the horizon, evenly spaced; each is the mean of the pixel
-/// rows around it.
-void ColorRoad::lay_rows(const Shape& shape) {
-  const float bottom = static_cast<float>(stored_height_ - 1);
-  const float deepest = bottom - shape.horizon;
-  const float spacing = deepest * (1.0F - kFarthest) / static_cast<float>(rows_.size() - 1);
-  for (std::size_t k = 0; k < rows_.size(); ++k) {
-    SearchRow& row = rows_[k];
-    row.row = bottom - spacing * static_cast<float>(k);
-    const float reach = 0.5F * std::min(spacing, 0.15F * std::max(0.0F, row.row - shape.horizon));
-    row.top = std::clamp(static_cast<int>(row.row - reach), 0, stored_height_ - 1);
-    row.bottom = std::clamp(static_cast<int>(row.row + reach) + 1, row.top + 1, stored_height_);
-  }
-}
+void ColorRoad::lay_rows(const RoadShape& shape) { lay_road_rows(shape, stored_height_, rows_); }
 
 void ColorRoad::fill_profile(const ColorView& picture) {
   for (std::size_t k = 0; k < rows_.size(); ++k)
     profile_.fill(static_cast<int>(k), learner_.colors(), picture, rows_[k].top, rows_[k].bottom);
 }
 
-std::span<const FoundRoad> ColorRoad::search(const Shape& shape, bool acquiring) {
+std::span<const FoundRoad> ColorRoad::search(const RoadShape& shape, bool acquiring) {
   const float bottom = static_cast<float>(stored_height_ - 1);
   const float middle = 0.5F * static_cast<float>(stored_width_);
   const float vehicle = static_cast<float>(params_.definition_centre) * static_cast<float>(stored_width_);
@@ -152,9 +129,11 @@ std::span<const FoundRoad> ColorRoad::search(const Shape& shape, bool acquiring)
     if (acquiring) {
       expected_[k].middle_px = middle + near * (vehicle - middle);
     } else {
-      expected_[k].middle_px = filter_.known(row) ? filter_.middle_px(row) : straight_on(k);
+      expected_[k].middle_px = filter_.known(row)  ? filter_.middle_px(row)
+                               : k < kStraightRows ? middle
+                                                   : straight_on(rows_, expected_, k);
     }
-    expected_[k].half_width_px = half_width(shape, k);
+    expected_[k].half_width_px = shape.half_width_px(rows_[k].row);
   }
   RoadSearchCosts costs;
   costs.bend = static_cast<float>(params_.bend_cost);
@@ -163,21 +142,12 @@ std::span<const FoundRoad> ColorRoad::search(const Shape& shape, bool acquiring)
   return search_.find(profile_, expected_, acquiring ? kAcquireSteps : kFollowSteps, costs);
 }
 
-/// Where the road goes on if it does so straight, from what is expected of the rows below.
-float ColorRoad::straight_on(std::size_t row) const {
-  if (row < kStraightRows) return 0.5F * static_cast<float>(stored_width_);
-  const std::size_t last = row - 1, first = row - kStraightRows;
-  const float per_row =
-      (expected_[last].middle_px - expected_[first].middle_px) / (rows_[last].row - rows_[first].row);
-  return expected_[last].middle_px + per_row * (rows_[row].row - rows_[last].row);
-}
-
 void ColorRoad::acquire(const ColorView& picture) {
-  Shape best = shape_;
+  RoadShape best = shape_;
   float best_total = -1e9F;
   const bool calibrated = std::isfinite(picture_.horizon_row_px);
   for (std::size_t h = 0; h < (calibrated ? 1 : kHorizons.size()); ++h) {
-    Shape shape;
+    RoadShape shape;
     shape.horizon = calibrated ? static_cast<float>(picture_.horizon_row_px / picture_.shrink)
                                : kHorizons[h] * static_cast<float>(stored_height_);
     lay_rows(shape);
@@ -248,7 +218,7 @@ float ColorRoad::judge(std::span<const FoundRoad> found) {
   }
   float contrast = 0.0F, weight = 1e-6F;
   for (std::size_t k = 0; k < static_cast<std::size_t>(visible_rows_); ++k) {
-    if (!whole(found[k])) continue;
+    if (!is_whole(found[k], stored_width_)) continue;
     contrast += 0.5F * found[k].contrast;
     weight += 1.0F;
   }
@@ -262,53 +232,47 @@ void ColorRoad::correct(std::span<const FoundRoad> found) {
       filter_.forget(row);
       continue;
     }
-    filter_.correct(row, found[k].middle_px, found[k].half_width_px, half_width(shape_, k),
+    filter_.correct(row, found[k].middle_px, found[k].half_width_px, shape_.half_width_px(rows_[k].row),
                     kRowSigma / std::max(found[k].fit, kLeastFit));
   }
 }
 
-/// A straight line through the rows' half widths: where it is zero lies the horizon.
 void ColorRoad::adapt_shape(std::span<const FoundRoad> found, float gain) {
-  float n = 0.0F, y = 0.0F, w = 0.0F, yy = 0.0F, yw = 0.0F;
-  for (std::size_t k = 0; k < static_cast<std::size_t>(visible_rows_); ++k) {
-    if (!whole(found[k]) || found[k].fit < kRoadFits) continue;
-    const float half = found[k].half_width_px, row = rows_[k].row;
-    n += 1.0F, y += row, w += half, yy += row * row, yw += row * half;
-  }
-  const float spread = n * yy - y * y;
-  if (n < 5.0F || spread <= 0.0F) return;
-  const float slope = (n * yw - y * w) / spread;
-  const float off = (y - w / slope) / n - shape_.horizon;
+  const auto fit = fit_road_shape(rows_, found.first(static_cast<std::size_t>(visible_rows_)), stored_width_);
+  if (!fit) return;
+  const float off = fit->horizon - shape_.horizon;
   const float deepest = static_cast<float>(stored_height_ - 1) - shape_.horizon;
-  if (slope < 0.3F * shape_.slope || slope > 3.0F * shape_.slope || std::abs(off) > kMostOffHorizon * deepest)
+  if (fit->slope < 0.3F * shape_.slope || fit->slope > 3.0F * shape_.slope ||
+      std::abs(off) > kMostOffHorizon * deepest)
     return;
-  shape_.slope += gain * (slope - shape_.slope);
+  shape_.slope += gain * (fit->slope - shape_.slope);
   shape_.horizon += gain * (std::isfinite(picture_.horizon_row_px) ? kCalibratedPart : 1.0F) * off;
 }
 
-bool ColorRoad::whole(const FoundRoad& road) const {
-  return road.middle_px - road.half_width_px > 0.0F &&
-         road.middle_px + road.half_width_px < static_cast<float>(stored_width_);
+/// The road on flat ground, as the filter has it.
+void ColorRoad::draw_line() {
+  line_.clear();
+  for (int row = 0; following_ && row < visible_rows_; ++row) {
+    const float half_px = shape_.half_width_px(rows_[static_cast<std::size_t>(row)].row);
+    line_.push_back({filter_.middle_px(row), half_px * filter_.width_ratio(row), 0.0F, 0.0F});
+  }
 }
 
 /// Looks for the road on rising ground, beyond the rows that are near enough to be taken for flat. Where the
 /// horizon is itself made out of the rows' widths, rising ground cannot be told from a wrong one.
 void ColorRoad::look_up(const ColorView& picture) {
   risen_ = false;
-  if (!following_ || !std::isfinite(picture_.horizon_row_px)) return;
+  if (!std::isfinite(picture_.horizon_row_px)) return;
   const float nearest = shape_.horizon + kHinge * (static_cast<float>(stored_height_ - 1) - shape_.horizon);
-  const auto visible = static_cast<std::size_t>(visible_rows_);
   std::size_t hinge = 0;
-  for (std::size_t k = 0; k < visible; ++k) {
-    const int row = static_cast<int>(k);
-    line_[k] = {filter_.middle_px(row), half_width(shape_, k) * filter_.width_ratio(row), 0.0F, 0.0F};
+  for (std::size_t k = 0; k < line_.size(); ++k) {
     if (rows_[k].row > nearest) hinge = k;
   }
   if (hinge == 0) return;
-  hinge_ = static_cast<int>(hinge) + 1;
-  risen_ = rise_.find({shape_.horizon, std::span(rows_).subspan(hinge, visible - hinge),
-                       std::span(line_).subspan(hinge, visible - hinge)},
-                      learner_.colors(), picture, static_cast<std::size_t>(kMostRoadRows - hinge_));
+  flat_rows_ = hinge + 1;
+  risen_ = rise_.find({shape_.horizon, std::span(rows_).subspan(hinge, line_.size() - hinge),
+                       std::span(line_).subspan(hinge)},
+                      learner_.colors(), picture, static_cast<std::size_t>(kMostRoadRows) - flat_rows_);
 }
 
 void ColorRoad::tell(RoadEstimate& estimate) const {
@@ -316,19 +280,15 @@ void ColorRoad::tell(RoadEstimate& estimate) const {
   estimate.confidence = static_cast<double>(confidence_);
   estimate.horizon_row_px = static_cast<double>(picture_.full_px(shape_.horizon));
   estimate.count = 0;
-  if (!following_) return;
-  const auto add = [&](float row, float middle, float half) {
-    estimate.row[static_cast<std::size_t>(estimate.count++)] = {
-        picture_.full_px(row), picture_.full_px(middle - half), picture_.full_px(middle + half)};
+  const auto add = [&](std::span<const SearchRow> rows, std::span<const FoundRoad> roads) {
+    for (std::size_t k = 0; k < roads.size(); ++k) {
+      const float middle = roads[k].middle_px, half = roads[k].half_width_px;
+      estimate.row[static_cast<std::size_t>(estimate.count++)] = {
+          picture_.full_px(rows[k].row), picture_.full_px(middle - half), picture_.full_px(middle + half)};
+    }
   };
-  const int flat_rows = risen_ ? hinge_ : visible_rows_;
-  for (int row = 0; row < flat_rows; ++row) {
-    const auto k = static_cast<std::size_t>(row);
-    add(rows_[k].row, filter_.middle_px(row), half_width(shape_, k) * filter_.width_ratio(row));
-  }
-  if (!risen_) return;
-  for (std::size_t k = 0; k < rise_.rows().size(); ++k)
-    add(rise_.rows()[k].row, rise_.roads()[k].middle_px, rise_.roads()[k].half_width_px);
+  add(rows_, std::span(line_).first(risen_ ? flat_rows_ : line_.size()));
+  if (risen_) add(rise_.rows(), rise_.roads());
 }
 
 }  // namespace hindsight

@@ -18,6 +18,7 @@
 #include "perception/road_profile.h"
 #include "perception/road_rise.h"
 #include "perception/road_search.h"
+#include "perception/road_shape.h"
 
 namespace hindsight {
 
@@ -34,27 +35,19 @@ class ColorRoad {
   void update(const RoadInput& input, RoadEstimate& estimate);
 
  private:
-  /// A flat road: half width = slope * (row - horizon).
-  struct Shape {
-    float horizon = 0.0F;
-    float slope = 1.0F;
-  };
-
   void learn(const RoadInput& input, const ColorView& picture);
-  void lay_rows(const Shape& shape);
+  void lay_rows(const RoadShape& shape);
   void fill_profile(const ColorView& picture);
   void follow(const RoadInput& input, const ColorView& picture);
-  float straight_on(std::size_t row) const;
   void acquire(const ColorView& picture);
-  std::span<const FoundRoad> search(const Shape& shape, bool acquiring);
+  std::span<const FoundRoad> search(const RoadShape& shape, bool acquiring);
   void refine(std::span<const FoundRoad> found);
   void adapt_shape(std::span<const FoundRoad> found, float horizon_gain);
-  bool whole(const FoundRoad& road) const;
   void correct(std::span<const FoundRoad> found);
   float judge(std::span<const FoundRoad> found);
+  void draw_line();
   void look_up(const ColorView& picture);
   void tell(RoadEstimate& estimate) const;
-  float half_width(const Shape& shape, std::size_t row) const;
 
   RoadParams params_;
   RoadPicture picture_;
@@ -65,7 +58,7 @@ class ColorRoad {
   RoadProfile profile_;
   RoadSearch search_;
   RoadLineFilter filter_;
-  Shape shape_;
+  RoadShape shape_;
   float swing_ = 0.0F;  ///< of the horizon, beside where it lies for long
   std::vector<SearchRow> rows_;
   std::vector<ExpectedRoad> expected_;
@@ -74,8 +67,8 @@ class ColorRoad {
   float confidence_ = 0.0F;
   int visible_rows_ = 0;
   RoadRise rise_;
-  std::vector<FoundRoad> line_;  ///< as the filter has it
-  int hinge_ = 0;                ///< rows below which the ground is taken for flat
+  std::vector<FoundRoad> line_;  ///< the visible rows on flat ground, as the filter has them
+  std::size_t flat_rows_ = 0;    ///< of it that are told where the road beyond rises
   bool risen_ = false;
   int frames_ = 0;
 };

@@ -6,14 +6,15 @@
 #include <cmath>
 
 #include "perception/ego_motion.h"
+#include "perception/motion_demand.h"
 #include "perception/motion_likeness.h"
 
 namespace hindsight {
 namespace {
 
 constexpr float kSizeSmoothing = 0.2F;
-constexpr float kSizeFromDeviation =
-    2.0F;  ///< half the side of a uniform square over its mean absolute deviation
+/// Half the side of a uniform square over its mean absolute deviation.
+constexpr float kSizeFromDeviation = 2.0F;
 constexpr float kSmallestHalf_px = 4.0F;
 /// A track may turn round while unseen, but not be anywhere.
 constexpr float kReachOfLost = 1.5F;
@@ -22,17 +23,8 @@ constexpr float kSteadyFrames = 15.0F;
 constexpr float kSteadyNew = 0.85F, kSteady = 0.4F;  ///< see Object::steadiness()
 constexpr int kUnseenNew = 2;          ///< frames that an object not yet confirmed may be unseen for
 constexpr double kStraightness = 0.4;  ///< way made over way that its speed promises
-/// Evidence that a new object must gather without a map, in which the map's log ratio counts. Less than a
-/// third is never enough: the map knows nothing of errors of the flow.
-constexpr double kEvidence = 6.0, kLeastDemand = 1.0 / 3.0, kMostDemand = 2.0;
-/// Two ends of one vehicle, by their mean velocities over so many frames and more.
+/// Frames in which two ends of one vehicle and two that follow one another can be told apart.
 constexpr int kFramesToTellApart = 8;
-constexpr float kLongestSlow_frames = 11.0F, kMeanNoise_px = 0.1F, kMeanAlike = 0.05F;
-
-bool covers(const Track& track, Point2f p) {
-  return std::abs(p.x_px - track.at_px.x_px) <= track.half_size_px.x_px &&
-         std::abs(p.y_px - track.at_px.y_px) <= track.half_size_px.y_px;
-}
 
 }  // namespace
 
@@ -107,8 +99,7 @@ void ObjectTracker::assign(std::span<const MovingFeature> features, std::span<co
   }
 }
 
-/// Some particles go to the middle of what the object owns and moves as it does: it may have turned or sped
-/// up.
+/// Some particles go to the middle of what the object owns and move as that does: it may have turned.
 void ObjectTracker::look_at_own(Object& object) {
   Point2f at{}, v{};
   float mass = 0.0F;
@@ -162,7 +153,7 @@ void ObjectTracker::weigh(std::span<const MovingFeature> features, const MotionP
       };
       smooth(track.half_size_px.x_px, deviation.x_px), smooth(track.half_size_px.y_px, deviation.y_px);
     }
-    judge(object, demand(track.at_px, track.v_px, prior));
+    judge(object, motion_demand(prior, track.at_px, track.v_px));
   }
 }
 
@@ -215,23 +206,22 @@ bool ObjectTracker::one_thing(const Object& a, const Object& b) const {
   const float apart_px = distance_px(one.at_px, other.at_px);
   const float reach_px = link_reach_px(static_cast<float>(params_.merge_distance_px), one.v_px);
   const bool linked = a.cluster >= 0 && a.cluster == b.cluster;
-  return apart_px < (linked ? 2.0F : 1.0F) * reach_px || covers(one, other.at_px) ||
+  return apart_px < (linked ? 2.0F : 1.0F) * reach_px || one.covers(other.at_px) ||
          (rigidly_alike(one.v_px, other.v_px) && apart_px < longest_px(one.v_px)) || keep_together(a, b);
 }
 
 /// Two ends of a slow vehicle lie farther apart, but over many frames their velocities are more alike than
 /// those of two that follow one another.
 bool ObjectTracker::keep_together(const Object& a, const Object& b) {
-  const float speed_px = std::hypot(a.mean_v_px.x_px, a.mean_v_px.y_px);
   return std::min(a.seen_frames, b.seen_frames) >= kFramesToTellApart &&
-         distance_px(a.track.at_px, b.track.at_px) < kLongestSlow_frames * speed_px &&
-         distance_px(a.mean_v_px, b.mean_v_px) < kMeanNoise_px + kMeanAlike * speed_px;
+         distance_px(a.track.at_px, b.track.at_px) < longest_slow_px(a.mean_v_px) &&
+         alike_on_average(a.mean_v_px, b.mean_v_px);
 }
 
 /// Of something told, seen too short to be told apart from it?
 bool ObjectTracker::may_be_other_end(const Object& object) const {
   const Track& track = object.track;
-  const float reach_px = kLongestSlow_frames * std::hypot(track.v_px.x_px, track.v_px.y_px);
+  const float reach_px = longest_slow_px(track.v_px);
   return std::any_of(objects_.begin(), objects_.end(), [&](const Object& other) {
     return &other != &object && other.alive && other.confirmed && other.track.unseen_frames == 0 &&
            roughly_alike(other.track.v_px, track.v_px) &&
@@ -264,17 +254,11 @@ ObjectTracker::Object* ObjectTracker::lost_near(const MotionCluster& peak) {
   return best;
 }
 
-/// What evidence an object needs, of what it needs without a map: what moves where and as things usually do
-/// is believed sooner, what moves where the map has looked for long and seen nothing like it, later.
-double ObjectTracker::demand(Point2f at_px, Point2f v_px, const MotionPrior* prior) {
-  if (prior == nullptr) return 1.0;
-  return std::clamp(1.0 - prior->log_ratio(at_px, v_px) / kEvidence, kLeastDemand, kMostDemand);
-}
-
 void ObjectTracker::spawn(std::span<const MotionCluster> clusters, const MotionPrior* prior) {
   for (std::size_t c = 0; c < clusters.size(); ++c) {
     const MotionCluster& peak = clusters[c];
-    if (peak.mass < params_.spawn_mass * demand(peak.at_px, peak.v_px, prior) || claimed(c, peak)) continue;
+    if (peak.mass < params_.spawn_mass * motion_demand(prior, peak.at_px, peak.v_px) || claimed(c, peak))
+      continue;
     Object* object = lost_near(peak);
     if (object == nullptr) {
       const auto free =

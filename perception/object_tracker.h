@@ -5,6 +5,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -57,6 +58,11 @@ struct Track {
   int age_frames = 0;
   int unseen_frames = 0;
   double support = 0.0;  ///< sum of the particles' weights
+
+  bool covers(Point2f p) const {
+    return std::abs(p.x_px - at_px.x_px) <= half_size_px.x_px &&
+           std::abs(p.y_px - at_px.y_px) <= half_size_px.y_px;
+  }
 };
 
 /// Deterministic for its seed, no allocation in the steady state, one thread at a time.
@@ -104,7 +110,6 @@ class ObjectTracker {
   void look_at_own(Object& object);
   static void remember(Object& object, Point2f v_px);
   void judge(Object& object, double demand);
-  static double demand(Point2f at_px, Point2f v_px, const MotionPrior* prior);
   void merge();
   bool one_thing(const Object& a, const Object& b) const;
   static bool keep_together(const Object& a, const Object& b);

@@ -21,6 +21,7 @@
 #include "perception/activity_registration.h"
 #include "sim_replay/read_file.h"
 #include "sim_replay/world/random.h"
+#include "tools/activity_picture.h"
 #include "tools/activity_report.h"
 #include "tools/aerial_flight.h"
 #include "tools/eval_tracks_score.h"

@@ -8,9 +8,9 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
+#include "tools/activity_picture.h"
 #include "tools/report_style.h"
 #include "tools/svg_chart.h"
-#include "tools/video_tracker.h"
 
 namespace hindsight::tools {
 namespace {

@@ -40,8 +40,4 @@ class VideoTracker {
 /// The ground that a picture of this size shows, in the map's frame.
 std::array<Eigen::Vector2d, 4> view_of(cv::Size size, const Eigen::Matrix3d& H_G_image);
 
-/// As figure 3.5: in each cell the two most usual motions, as long as half a second of them, as thick as they
-/// are frequent. `H_image_G` takes the map's frame to the picture.
-void draw_activity(cv::Mat& picture, const ActivityMap& map, const Eigen::Matrix3d& H_image_G);
-
 }  // namespace hindsight::tools
