@@ -18,12 +18,18 @@ struct Motion {
   Complex once, twice;  ///< Fourier coefficients of the directions, times `much`
 };
 
+double energy_of(const Motion& m) { return m.much * m.much + std::norm(m.once) + std::norm(m.twice); }
+
 struct Place {
   Eigen::Vector2d p;
   Motion motion;
+  double energy = 0.0;
 };
 
-/// One level: places with motion, and a picture to look them up in.
+/// A cell that was in view for less says nothing by what does not move in it.
+constexpr std::uint32_t kLookedAtFrames = 20;
+
+/// One level: places with motion, a picture to look them up in, and where the map looked.
 class Level {
  public:
   Level(const ActivityMap& map, int merged) : cell_(map.cell() * merged), side_(map.cells() / merged + 2) {
@@ -48,16 +54,24 @@ class Level {
         const double much = std::log1p(m.much), scale = much / m.much;
         const Motion place{much, m.once * scale, m.twice * scale};
         picture_[index(column, row)] = place;
-        places_.push_back({middle(column, row, map), place});
-        energy_ += much * much + std::norm(place.once) + std::norm(place.twice);
+        places_.push_back({middle(column, row, map), place, energy_of(place)});
+        energy_ += places_.back().energy;
       }
     }
     origin_ = middle(0, 0, map);
+    mark_looked_at(map, merged);
   }
 
   std::span<const Place> places() const { return places_; }
   double energy() const { return energy_; }
   double cell() const { return cell_; }
+
+  bool looked_at(const Eigen::Vector2d& p) const {
+    if (looked_at_.empty()) return true;
+    const int column = static_cast<int>(std::lround((p.x() - origin_.x()) / cell_)),
+              row = static_cast<int>(std::lround((p.y() - origin_.y()) / cell_));
+    return column >= 0 && row >= 0 && column < side_ && row < side_ && looked_at_[index(column, row)];
+  }
 
   /// Bilinear; nothing outside.
   Motion at(const Eigen::Vector2d& p) const {
@@ -80,27 +94,53 @@ class Level {
     const double half = map.cells() / 2 * map.cell();
     return {(column + 0.5) * cell_ - half, (row + 0.5) * cell_ - half};
   }
+  /// A map that never noted where it looked (a template) looked everywhere.
+  void mark_looked_at(const ActivityMap& map, int merged) {
+    if (std::ranges::all_of(map.exposures(), [](std::uint32_t frames) { return frames == 0; })) return;
+    looked_at_.resize(picture_.size());
+    for (int row = 0; row < map.cells(); ++row) {
+      for (int column = 0; column < map.cells(); ++column) {
+        if (map.exposure(column, row) >= kLookedAtFrames)
+          looked_at_[index(column / merged, row / merged)] = true;
+      }
+    }
+  }
+
   double cell_;
   int side_;
   std::vector<Motion> picture_;
   std::vector<Place> places_;
+  std::vector<bool> looked_at_;  ///< empty: everywhere
   double energy_ = 0.0;
   Eigen::Vector2d origin_;
 };
 
+/// Of the energy of each map, what must lie where the other looked for the likeness to count in full: two
+/// maps that only touch are alike by chance.
+constexpr double kEnoughShared = 0.5;
+
+/// Normalised correlation over what both maps looked at: what one flight did not have in view tells nothing
+/// against a place that it fits otherwise.
 double likeness(const Level& a, const Level& b, double angle_rad, const Eigen::Vector2d& t) {
-  const double c = std::cos(angle_rad), s = std::sin(angle_rad);
+  Eigen::Matrix2d R;
+  R << std::cos(angle_rad), -std::sin(angle_rad), std::sin(angle_rad), std::cos(angle_rad);
   const Complex turn = std::polar(1.0, angle_rad), turn2 = turn * turn;
-  double sum = 0.0;
+  double sum = 0.0, energy_a = 0.0, energy_b = 0.0;
   for (const Place& place : b.places()) {
-    const Motion there =
-        a.at({c * place.p.x() - s * place.p.y() + t.x(), s * place.p.x() + c * place.p.y() + t.y()});
+    const Eigen::Vector2d p_A = R * place.p + t;
+    if (!a.looked_at(p_A)) continue;
+    energy_b += place.energy;
+    const Motion there = a.at(p_A);
     if (there.much == 0.0) continue;
     sum += there.much * place.motion.much + (std::conj(there.once) * turn * place.motion.once).real() +
            (std::conj(there.twice) * turn2 * place.motion.twice).real();
   }
-  const double energy = std::sqrt(a.energy() * b.energy());
-  return energy > 0.0 ? sum / energy : 0.0;
+  for (const Place& place : a.places()) {
+    if (b.looked_at(R.transpose() * (place.p - t))) energy_a += place.energy;
+  }
+  if (energy_a == 0.0 || energy_b == 0.0) return 0.0;
+  const double shared = std::min(energy_a / a.energy(), energy_b / b.energy());
+  return std::min(1.0, shared / kEnoughShared) * sum / std::sqrt(energy_a * energy_b);
 }
 
 void keep_best(std::vector<ActivityAlignment>& all, std::size_t most) {
@@ -119,23 +159,29 @@ void extent(const Level& level, Eigen::Vector2d& middle, double& reach) {
   middle = 0.5 * (low + high), reach = 0.5 * (high - low).norm();
 }
 
+/// The best few of each angle: where a place is alike from several sides, one side's many neighbours would
+/// leave no room for the others.
 std::vector<ActivityAlignment> search_all(const Level& a, const Level& b) {
   Eigen::Vector2d middle_a, middle_b;
   double reach_a = 0.0, reach_b = 0.0;
   extent(a, middle_a, reach_a), extent(b, middle_b, reach_b);
   const int steps = static_cast<int>(std::ceil(0.8 * std::max(reach_a, reach_b) / a.cell()));
-  std::vector<ActivityAlignment> found;
+  std::vector<ActivityAlignment> found, at_angle;
   constexpr int kAngles = 36;
+  constexpr std::size_t kBestOfAngle = 3;
   for (int k = 0; k < kAngles; ++k) {
     const double angle = 2.0 * M_PI * k / kAngles, c = std::cos(angle), s = std::sin(angle);
     const Eigen::Vector2d base =
         middle_a - Eigen::Vector2d(c * middle_b.x() - s * middle_b.y(), s * middle_b.x() + c * middle_b.y());
+    at_angle.clear();
     for (int y = -steps; y <= steps; ++y) {
       for (int x = -steps; x <= steps; ++x) {
         const Eigen::Vector2d t = base + a.cell() * Eigen::Vector2d(x, y);
-        found.push_back({angle, t, likeness(a, b, angle, t)});
+        at_angle.push_back({angle, t, likeness(a, b, angle, t)});
       }
     }
+    keep_best(at_angle, kBestOfAngle);
+    found.insert(found.end(), at_angle.begin(), at_angle.end());
   }
   return found;
 }
@@ -196,7 +242,6 @@ ActivityAlignment register_activity(const ActivityMap& a, const ActivityMap& b) 
   if (a.active().empty() || b.active().empty()) return {};
   const Level a4(a, 4), b4(b, 4), a2(a, 2), b2(b, 2), a1(a, 1), b1(b, 1);
   std::vector<ActivityAlignment> found = search_all(a4, b4);
-  keep_best(found, 60);
   constexpr double kDegree = M_PI / 180.0;
   found = refine(a2, b2, found, 3.0 * kDegree, 1.0 * a2.cell());
   keep_best(found, 20);

@@ -22,8 +22,8 @@ struct ActivityAlignment {
 /// cells of four, two and one, the best few of each level going on to the next. Instead of one intensity for
 /// a cell's main mode, a cell is how much moves in it (logarithm of its count) and the first and second
 /// Fourier coefficients of its directions, which a rotation turns by once and twice its angle: cells used in
-/// both directions keep both. Outside of a map nothing is known to move, so that the smallest difference is
-/// the largest product of the two.
+/// both directions keep both. Compared is what both maps looked at (ActivityMap::exposure; a map without
+/// exposures looked everywhere), by the largest normalised product, which is there the smallest difference.
 ActivityAlignment register_activity(const ActivityMap& a, const ActivityMap& b);
 
 /// Maps of ideal places, about the origin, arms as long as `reach` (unit of the cell), traffic on the right.

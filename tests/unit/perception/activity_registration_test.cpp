@@ -33,6 +33,37 @@ TEST(ActivityRegistration, FindsHowAMapWasTurnedAndMoved) {
   EXPECT_GT(found.likeness, 0.7);
 }
 
+/// What of `map` lies west of x.
+ActivityMap west_of(const ActivityMap& map, double x) {
+  ActivityMap west(map.params());
+  for (std::size_t i = 0; i < map.active().size(); ++i) {
+    const auto [column, row, total] = map.active()[i];
+    if (map.middle_of(column, row).x() > x) continue;
+    for (std::size_t bin = 0; bin < ActivityMap::kBins; ++bin) {
+      if (map.counts(i)[bin] > 0) west.add_count(column, row, bin, map.counts(i)[bin]);
+    }
+  }
+  return west;
+}
+
+/// The busiest arm, to the east, was out of the second flight's view: with any other arm laid over it, the
+/// product of the two maps is larger than in truth.
+TEST(ActivityRegistration, WhatOneMapDidNotLookAtCountsForNothing) {
+  ActivityMap a = crossroads_template(kPixels, 300.0, 30.0, 6.0);
+  for (double y = -280.0; y < -60.0; y += 2.0) a.add({0.0, y}, {0.0, 3.0});
+  for (double x = 80.0; x < 300.0; x += 0.05) a.add({x, -30.0}, {-6.0, 0.0});
+  ActivityMap b = west_of(a, 70.0);
+  const auto look = [](ActivityMap& map, double east) {
+    const std::array<Eigen::Vector2d, 4> view{Eigen::Vector2d(-400, -400), Eigen::Vector2d(east, -400),
+                                              Eigen::Vector2d(east, 400), Eigen::Vector2d(-400, 400)};
+    for (int frame = 0; frame < 30; ++frame) map.look(view);
+  };
+  look(a, 400.0), look(b, 70.0);
+  const ActivityAlignment found = register_activity(a, b);
+  EXPECT_LT(std::abs(std::remainder(found.angle_rad, 2.0 * M_PI)) * 180.0 / M_PI, 3.0);
+  EXPECT_LT(found.t.norm(), 2.0 * kPixels.cell);
+}
+
 TEST(ActivityRegistration, TellsACrossroadsFromARoundabout) {
   const ActivityMap cross = crossroads_template(kPixels, 300.0, 30.0, 6.0),
                     ring = roundabout_template(kPixels, 300.0, 30.0, 6.0, 140.0);
