@@ -52,6 +52,11 @@ void add_navigation(CLI::App& experiments, Run& run) {
               "Time and touches to a goal, learning off, with what the segmentation experiment's last drive "
               "taught (thesis 5.2.2); goes on where it was stopped",
               e->course, e->folder);
+  command
+      ->add_option("--numbers", e->numbers,
+                   "Whose configuration drives: the default's, the default's without texture, or the thesis'")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"default", "color", "thesis"}));
   command->add_option("--worlds", e->worlds, "Worlds")->capture_default_str()->check(CLI::PositiveNumber);
   command->add_option("--starts", e->starts, "Starts in each, within 5 m")
       ->capture_default_str()

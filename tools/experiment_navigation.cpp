@@ -19,6 +19,7 @@
 #include "tools/process_pool.h"
 #include "tools/sim_run.h"
 #include "tools/statistics.h"
+#include "tools/training_drive.h"
 
 namespace hindsight::tools {
 namespace {
@@ -26,10 +27,23 @@ namespace {
 constexpr double kStartRadius_m = 5.0;
 constexpr int kMostDrawings = 100;
 constexpr int kTicksPerPathPoint = 5;
-const std::vector<std::string> kArms{"default_no_reverse_flow", "default"};
+
+/// Without and with reverse flow.
+std::vector<Arm> arms_of(const std::string& numbers) {
+  const std::string without = numbers == "thesis" ? "no_reverse_flow" : numbers + "_no_reverse_flow";
+  std::vector<Arm> arms = segmentation_arms();
+  std::erase_if(arms, [&](const Arm& arm) { return arm.name != without && arm.name != numbers; });
+  return arms;
+}
+
+std::vector<std::string> names_of(const std::vector<Arm>& arms) {
+  std::vector<std::string> names;
+  for (const Arm& arm : arms) names.push_back(arm.name);
+  return names;
+}
 
 struct Case {
-  std::string arm;
+  Arm arm;
   unsigned world_seed;
   int start;
 };
@@ -73,13 +87,13 @@ NavigationRun from_json(const nlohmann::json& json) {
 
 NavigationRun drive(const NavigationExperiment& experiment, const Course& course, const Case& which,
                     const std::vector<std::uint8_t>& mixture) {
-  Configuration configuration;
+  Configuration configuration = which.arm.configuration;
   configuration.robot.learning = false;
   SimRun sim({.configuration = configuration,
               .world = world_with_start(course, which.world_seed, which.start),
               .seed = which.world_seed * 1000 + static_cast<unsigned>(which.start),
               .mixture = mixture});
-  NavigationRun run{which.arm, which.world_seed, which.start, 0.0, 0, 0, false, {}};
+  NavigationRun run{which.arm.name, which.world_seed, which.start, 0.0, 0, 0, false, {}};
   SimSummary now;
   while (!now.reached && now.seconds < experiment.seconds) {
     sim.step();
@@ -103,15 +117,15 @@ std::vector<NavigationRun> read_runs(const std::string& path) {
   return runs;
 }
 
-std::vector<Case> missing_cases(const NavigationExperiment& experiment,
+std::vector<Case> missing_cases(const NavigationExperiment& experiment, const std::vector<Arm>& arms,
                                 const std::vector<NavigationRun>& runs) {
   std::vector<Case> cases;
   for (int start = 0; start < experiment.starts; ++start) {
     for (int w = 0; w < experiment.worlds; ++w) {
       const unsigned seed = experiment.first_seed + static_cast<unsigned>(w);
-      for (const std::string& arm : kArms) {
+      for (const Arm& arm : arms) {
         const bool there = std::any_of(runs.begin(), runs.end(), [&](const NavigationRun& run) {
-          return run.arm == arm && run.world_seed == seed && run.start == start;
+          return run.arm == arm.name && run.world_seed == seed && run.start == start;
         });
         if (!there) cases.push_back({arm, seed, start});
       }
@@ -121,11 +135,12 @@ std::vector<Case> missing_cases(const NavigationExperiment& experiment,
 }
 
 /// Arm 0 minus arm 1, over the starts that both have driven.
-std::vector<double> differences(const std::vector<NavigationRun>& runs, auto&& value) {
+std::vector<double> differences(const std::vector<std::string>& arms, const std::vector<NavigationRun>& runs,
+                                auto&& value) {
   std::vector<double> all;
   for (const NavigationRun& a : runs) {
     for (const NavigationRun& b : runs) {
-      if (a.arm == kArms[0] && b.arm == kArms[1] && a.world_seed == b.world_seed && a.start == b.start)
+      if (a.arm == arms[0] && b.arm == arms[1] && a.world_seed == b.world_seed && a.start == b.start)
         all.push_back(value(a) - value(b));
     }
   }
@@ -133,13 +148,14 @@ std::vector<double> differences(const std::vector<NavigationRun>& runs, auto&& v
 }
 
 void conclude(const NavigationExperiment& experiment, const Course& course,
-              const std::vector<NavigationRun>& runs, const ExperimentOutput& output) {
+              const std::vector<std::string>& arms, const std::vector<NavigationRun>& runs,
+              const ExperimentOutput& output) {
   const auto seconds_of = [](const NavigationRun& run) { return run.seconds; };
   const auto touches_of = [](const NavigationRun& run) { return static_cast<double>(run.all_touches()); };
   nlohmann::ordered_json result;
   ResultTable table{
       {"", "runs", "goal reached", "mean time [s]", "mean touches (bumper + IR)", "of these bumper"}, {}};
-  for (const std::string& arm : kArms) {
+  for (const std::string& arm : arms) {
     std::vector<double> seconds, touches, bumper;
     int reached = 0;
     for (const NavigationRun& run : runs) {
@@ -156,7 +172,8 @@ void conclude(const NavigationExperiment& experiment, const Course& course,
                           fmt::format("{:.1f}", mean_of(seconds)), fmt::format("{:.2f}", mean_of(touches)),
                           fmt::format("{:.2f}", mean_of(bumper))});
   }
-  const std::vector<double> time = differences(runs, seconds_of), touch = differences(runs, touches_of);
+  const std::vector<double> time = differences(arms, runs, seconds_of),
+                            touch = differences(arms, runs, touches_of);
   result["paired"] = {{"pairs", time.size()},
                       {"p_seconds", sign_flip_p_value(time, 1)},
                       {"p_touches", sign_flip_p_value(touch, 2)}};
@@ -167,8 +184,8 @@ void conclude(const NavigationExperiment& experiment, const Course& course,
   std::vector<World> worlds;
   for (int w = 0; w < experiment.worlds; ++w)
     worlds.push_back(build_world(course, experiment.first_seed + static_cast<unsigned>(w)));
-  cv::imwrite(output.path("_paths.png"), draw_paths(worlds, kArms, runs));
-  cv::imwrite(output.path("_ellipses.png"), draw_ellipses(kArms, runs));
+  cv::imwrite(output.path("_paths.png"), draw_paths(worlds, arms, runs));
+  cv::imwrite(output.path("_ellipses.png"), draw_ellipses(arms, runs));
   fmt::print("{}", table.markdown());
 }
 
@@ -176,12 +193,15 @@ void conclude(const NavigationExperiment& experiment, const Course& course,
 
 int run_navigation_experiment(const NavigationExperiment& experiment) {
   const Course course = load_course(experiment.course);
-  const ExperimentOutput output(experiment.folder, "navigation");
+  const std::string name =
+      experiment.numbers == "default" ? "navigation" : "navigation_" + experiment.numbers;
+  const ExperimentOutput output(experiment.folder, name);
+  const std::vector<Arm> arms = arms_of(experiment.numbers);
   const std::string log = output.path("_runs.jsonl");
   std::vector<NavigationRun> runs = read_runs(log);
-  const std::vector<Case> cases = missing_cases(experiment, runs);
+  const std::vector<Case> cases = missing_cases(experiment, arms, runs);
   std::map<std::string, std::vector<std::uint8_t>> mixtures;
-  for (const std::string& arm : kArms) {
+  for (const std::string& arm : names_of(arms)) {
     mixtures[arm] =
         read_file<std::vector<std::uint8_t>>(experiment.folder + "/segmentation_" + arm + ".mixture");
   }
@@ -189,7 +209,7 @@ int run_navigation_experiment(const NavigationExperiment& experiment) {
   std::ofstream file(log, std::ios::app);
   const auto work = [&](int i) {
     const Case& which = cases[static_cast<std::size_t>(i)];
-    return to_json(drive(experiment, course, which, mixtures.at(which.arm))).dump();
+    return to_json(drive(experiment, course, which, mixtures.at(which.arm.name))).dump();
   };
   const auto done = [&](int, const std::string& text) {
     file << text << std::endl;
@@ -200,7 +220,7 @@ int run_navigation_experiment(const NavigationExperiment& experiment) {
                run.reached ? "" : ", goal not reached");
   };
   const int failed = run_in_processes(static_cast<int>(cases.size()), experiment.processes, work, done);
-  conclude(experiment, course, runs, output);
+  conclude(experiment, course, names_of(arms), runs, output);
   return failed == 0 ? kExitOk : kExitSoftware;
 }
 

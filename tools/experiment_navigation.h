@@ -10,7 +10,9 @@ namespace hindsight::tools {
 
 struct NavigationExperiment {
   std::string course;
-  std::string folder;         ///< where run_segmentation_experiment left its mixtures, too
+  std::string folder;  ///< where run_segmentation_experiment left its mixtures, too
+  /// Whose: "default", "color" or "thesis", as in segmentation_arms().
+  std::string numbers = "default";
   int worlds = 4;             ///< course seeds
   int starts = 5;             ///< in each world
   unsigned first_seed = 101;  ///< other trees than those of the training drives
@@ -20,7 +22,8 @@ struct NavigationExperiment {
 
 /// Learning off; each arm drives from the same starts among the same trees with the mixture of its training
 /// drive. Appends each run to navigation_runs.jsonl and skips those that are there already; writes
-/// navigation.json, .md, _paths.png (figure 5.12) and _ellipses.png (figure 5.13). Returns an exit code.
+/// navigation.json, .md, _paths.png (figure 5.12) and _ellipses.png (figure 5.13), with the name of the
+/// numbers after "navigation" where they are not the default's. Returns an exit code.
 int run_navigation_experiment(const NavigationExperiment& experiment);
 
 }  // namespace hindsight::tools
