@@ -8,6 +8,9 @@
 #include <array>
 #include <cmath>
 #include <opencv2/imgcodecs.hpp>
+#include <span>
+#include <string>
+#include <vector>
 
 #include "config/exit_code.h"
 #include "sim_replay/world/course.h"
@@ -25,7 +28,8 @@ namespace {
 constexpr std::array kSteps{1, 3, 5, 10, 15};
 constexpr int kGrid_px = 24;
 constexpr std::array kFrom_m{2.0, 5.0, 10.0, 20.0};
-constexpr double kChangingLight_per_s = 0.5;
+/// Of a clear sky's sun: what clouds take, at their densest.
+constexpr double kCloudDepth = 0.9;
 
 /// Of one arm and number of frames.
 struct Errors {
@@ -74,15 +78,49 @@ void trace_all(const TrainingDrive& drive, const TracebackTruth& truth, int ever
   }
 }
 
-std::vector<ArmErrors> drive(const TracebackExperiment& experiment, const World& world,
-                             const std::vector<Arm>& arms) {
+struct Sky {
+  std::string name;
+  Course course;
+};
+
+/// The course's own light, and a clear sky without and with clouds that pass.
+std::vector<Sky> skies_over(const Course& course) {
+  Course clear = course;
+  clear.light.sun_strength = 1.0;
+  clear.light.cloud_depth = 0.0;
+  Course clouds = clear;
+  clouds.light.cloud_depth = kCloudDepth;
+  return {{"the course's light", course}, {"sun", clear}, {"sun and clouds", clouds}};
+}
+
+double mean_grey(std::span<const std::uint8_t> bgr) {
+  double sum = 0.0;
+  for (const std::uint8_t value : bgr) sum += value;
+  return bgr.empty() ? 0.0 : sum / static_cast<double>(bgr.size());
+}
+
+std::vector<double> changes_over_a_second(std::span<const double> grey) {
+  constexpr std::size_t kSecond = 10;  // frames
+  std::vector<double> changes;
+  for (std::size_t i = kSecond; i < grey.size(); ++i)
+    changes.push_back(std::abs(grey[i] / grey[i - kSecond] - 1.0));
+  return changes;
+}
+
+struct DriveErrors {
+  std::vector<ArmErrors> arms;
+  std::vector<double> grey;  ///< of each picture, its mean
+};
+
+DriveErrors drive(const TracebackExperiment& experiment, const World& world, const std::vector<Arm>& arms) {
   TrainingDrive drive(world, experiment.seed, 0, arms);
   TracebackTruth truth(drive.camera(), kSteps.back() * experiment.every, experiment.every);
-  std::vector<ArmErrors> errors(arms.size());
+  DriveErrors errors{std::vector<ArmErrors>(arms.size()), {}};
   for (int frame = 0; frame < experiment.frames; ++frame) {
     drive.step();
+    errors.grey.push_back(mean_grey(drive.input().frame->bgr));
     truth.push(drive.feed().X_WB(), drive.feed().rendered().depth_m);
-    if (frame % experiment.every == 0) trace_all(drive, truth, experiment.every, errors);
+    if (frame % experiment.every == 0) trace_all(drive, truth, experiment.every, errors.arms);
     if (frame % 10 == 0) fmt::print(stderr, "\rframe {} of {}   ", frame, experiment.frames);
   }
   return errors;
@@ -124,9 +162,7 @@ std::vector<std::string> row(const std::string& name, int frames, const Errors& 
 }  // namespace
 
 int run_traceback_experiment(const TracebackExperiment& experiment) {
-  const Course steady = load_course(experiment.course);
-  Course changing = steady;
-  changing.light.change_per_s = kChangingLight_per_s;
+  const std::vector<Sky> skies = skies_over(load_course(experiment.course));
   const ExperimentOutput output(experiment.folder, "traceback");
   const std::vector<Arm> arms{{"thesis", thesis_configuration()}, {"default", Configuration{}}};
   ResultTable table{{"", "frames back", "error, median / 75 % [px]", "2 to 5 m", "5 to 10 m", "10 to 20 m",
@@ -136,24 +172,29 @@ int run_traceback_experiment(const TracebackExperiment& experiment) {
   PngChart chart("Median error of tracebacks", {0.0, 1.05 * kSteps.back() * experiment.every, "frames back"},
                  {0.3, 300.0, "error [px]", true});
   std::size_t lines = 0;
-  for (const auto& [light, course] : {std::pair<const char*, const Course*>{"the course's light", &steady},
-                                      std::pair<const char*, const Course*>{"changing light", &changing}}) {
-    const std::vector<ArmErrors> errors = drive(experiment, build_world(*course, experiment.seed), arms);
+  std::string brightness;
+  for (const Sky& sky : skies) {
+    const DriveErrors errors = drive(experiment, build_world(sky.course, experiment.seed), arms);
+    const std::vector<double> change = changes_over_a_second(errors.grey);
+    json["brightness_change_over_a_second"][sky.name] = {{"median", quantile_of(change, 0.5)},
+                                                         {"p95", quantile_of(change, 0.95)}};
+    brightness += fmt::format("Mean grey changes over a second, {}: {:.0f} % (median), {:.0f} % (95 %).\n",
+                              sky.name, 100.0 * quantile_of(change, 0.5), 100.0 * quantile_of(change, 0.95));
     for (std::size_t a = 0; a < arms.size(); ++a) {
-      const std::string name = fmt::format("{}, {}", arms[a].name, light);
+      const std::string name = fmt::format("{}, {}", arms[a].name, sky.name);
       std::vector<cv::Point2d> points;
       for (std::size_t s = 0; s < kSteps.size(); ++s) {
         const int frames = kSteps[s] * experiment.every;
-        table.rows.push_back(row(name, frames, errors[a][s]));
-        json[name][std::to_string(frames)] = json_of(errors[a][s]);
-        const std::vector<double> px = errors[a][s].all_px();
+        table.rows.push_back(row(name, frames, errors.arms[a][s]));
+        json[name][std::to_string(frames)] = json_of(errors.arms[a][s]);
+        const std::vector<double> px = errors.arms[a][s].all_px();
         if (!px.empty()) points.emplace_back(frames, quantile_of(px, 0.5));
       }
       chart.line(points, color_of_line(lines++), name);
     }
   }
   cv::imwrite(output.path(".png"), chart.picture());
-  output.write(json, table.markdown());
+  output.write(json, table.markdown() + "\n" + brightness);
   fmt::print(stderr, "\n");
   fmt::print("{}", table.markdown());
   return kExitOk;

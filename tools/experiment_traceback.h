@@ -11,7 +11,7 @@ namespace hindsight::tools {
 struct TracebackExperiment {
   std::string course;
   std::string folder;
-  int frames = 600;  ///< of each drive: one in the course's light, one in changing light
+  int frames = 600;  ///< of each drive, one a light
   int every =
       10;  ///< of so many frames, one is traced back from; the numbers of frames back are multiples of it
   unsigned seed = 1;  ///< of the world

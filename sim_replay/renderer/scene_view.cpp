@@ -16,7 +16,7 @@ SceneLight scene_light(const Light& light, double time_s) {
   // Clouds pass in waves of half a minute and of a few seconds.
   const double wave = 0.6 * std::sin(0.21 * time_s + 1.0) + 0.4 * std::sin(0.83 * time_s + 2.0);
   const auto strength =
-      static_cast<float>(light.sun_strength * (1.0 - light.change_per_s * (0.5 + 0.5 * wave)));
+      static_cast<float>(light.sun_strength * (1.0 - light.cloud_depth * (0.5 + 0.5 * wave)));
   const glm::vec3 to_sun = to_sun_of(light);
   // Air takes more of a low sun, and of its blue most (Kasten and Young's air mass, about 1 / sin).
   const float air = 1.0F / (to_sun.z + 0.15F);

@@ -73,7 +73,7 @@ void Builder::frame() {
   world_.half_size_m = 0.5 * strip.length_m + kGroundAround_m;
   const LightParams& light = course_.light;
   world_.light = {light.sun_azimuth_rad, light.sun_elevation_rad, light.sun_strength, light.haze_range_m,
-                  light.change_per_s};
+                  light.cloud_depth};
 }
 
 void Builder::build_fence(Strewing& strewing) {

@@ -203,7 +203,7 @@ struct LightParams {
   double sun_elevation_rad = 0.7;
   double sun_strength = 1.0;
   double haze_range_m = 250.0;
-  double change_per_s = 0.0;
+  double cloud_depth = 0.0;
 
   void visit(auto&& param) {
     param("sun_azimuth_rad", sun_azimuth_rad, Range{-6.3, 6.3},
@@ -211,7 +211,7 @@ struct LightParams {
     param("sun_elevation_rad", sun_elevation_rad, Range{0.05, 1.57}, "above the horizon [rad]");
     param("sun_strength", sun_strength, Range{0.0, 1.0}, "0: overcast, 1: clear");
     param("haze_range_m", haze_range_m, Range{10.0, 100000.0}, "where 1/e of contrast is left [m]");
-    param("change_per_s", change_per_s, Range{0.0, 1.0}, "depth of slow variation by clouds");
+    param("cloud_depth", cloud_depth, Range{0.0, 1.0}, "share of the sun's strength that passing clouds take");
   }
 };
 

@@ -107,7 +107,7 @@ struct Light {
   double sun_elevation_rad = 0.7;
   double sun_strength = 1.0;    ///< 0: overcast; 1: clear
   double haze_range_m = 250.0;  ///< where 1/e of contrast is left
-  double change_per_s = 0.0;    ///< clouds: depth of slow variation of the sun's strength
+  double cloud_depth = 0.0;     ///< share of its strength that passing clouds take
 };
 
 struct World {
