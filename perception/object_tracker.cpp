@@ -213,9 +213,13 @@ bool ObjectTracker::one_thing(const Object& a, const Object& b) const {
 /// Two ends of a slow vehicle lie farther apart, but over many frames their velocities are more alike than
 /// those of two that follow one another.
 bool ObjectTracker::keep_together(const Object& a, const Object& b) {
+  const Point2f from = a.track.at_px, to = b.track.at_px;
+  const float speed_px = std::sqrt(a.mean_v2_px2);
   return std::min(a.seen_frames, b.seen_frames) >= kFramesToTellApart &&
-         distance_px(a.track.at_px, b.track.at_px) < longest_slow_px(a.mean_v_px) &&
-         alike_on_average(a.mean_v_px, b.mean_v_px);
+         distance_px(from, to) < longest_slow_px({speed_px, 0.0F}) &&
+         (alike_on_average(a.mean_v_px, b.mean_v_px) ||
+          turn_together(a.mean_v_px, b.mean_v_px, speed_px, std::sqrt(b.mean_v2_px2),
+                        {to.x_px - from.x_px, to.y_px - from.y_px}));
 }
 
 /// Of something told, seen too short to be told apart from it?
@@ -260,7 +264,8 @@ void ObjectTracker::spawn(std::span<const MotionCluster> clusters, const MotionP
     if (peak.mass < params_.spawn_mass * motion_demand(prior, peak.at_px, peak.v_px) || claimed(c, peak))
       continue;
     Object* object = lost_near(peak);
-    if (object == nullptr) {
+    const bool is_new = object == nullptr;
+    if (is_new) {
       const auto free =
           std::find_if(objects_.begin(), objects_.end(), [](const Object& o) { return !o.alive; });
       if (free == objects_.end()) return;
@@ -268,7 +273,6 @@ void ObjectTracker::spawn(std::span<const MotionCluster> clusters, const MotionP
       object->alive = true, object->confirmed = false;
       object->seen_frames = object->dwell_frames = 0;
       object->mean_v_px = {}, object->mean_v2_px2 = 0.0F;
-      object->place_px = peak.at_px;
       object->track = {};
       object->track.id = next_id_++;
       object->track.half_size_px = {kSmallestHalf_px, kSmallestHalf_px};
@@ -280,6 +284,11 @@ void ObjectTracker::spawn(std::span<const MotionCluster> clusters, const MotionP
     object->track.at_px = object->last_seen_px = object->filter.at_px();
     object->track.v_px = object->filter.v_px();
     object->track.unseen_frames = 0;
+    if (!is_new) continue;
+    // The flow followed it here: it was there, and seen, a frame before.
+    object->place_px = {peak.at_px.x_px - peak.v_px.x_px, peak.at_px.y_px - peak.v_px.y_px};
+    remember(*object, peak.v_px);
+    object->seen_frames = object->track.age_frames = 1;
   }
 }
 
