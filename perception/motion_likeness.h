@@ -30,6 +30,9 @@ inline bool rigidly_alike(Point2f a, Point2f b) {
   return distance_px(a, b) < 0.3F + 0.15F * speed;
 }
 
+/// In so many, two ends of one vehicle and two that follow one another can be told apart.
+constexpr int kFramesToTellApart = 8;
+
 /// [px/frame] By so much mean velocities of two ends differ at most, over many frames.
 inline float mean_tolerance_px(Point2f mean_v_px) {
   return 0.1F + 0.05F * std::hypot(mean_v_px.x_px, mean_v_px.y_px);

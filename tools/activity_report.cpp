@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <opencv2/imgcodecs.hpp>
 
 #include "tools/png_chart.h"
@@ -31,6 +33,17 @@ double pooled_accuracy(const std::vector<nlohmann::ordered_json>& all, std::size
   return tp + fn > 0.0 ? (tp - fp) / (tp + fn) : 0.0;
 }
 
+/// Steps of 0.02, and one at least, about what there is.
+cv::Mat draw_accuracy(const std::vector<cv::Point2d>& line) {
+  constexpr double kStep = 0.02;
+  const auto [least, most] = std::ranges::minmax(line, {}, &cv::Point2d::y);
+  const double from = kStep * std::floor(least.y / kStep);
+  PngChart chart("Accuracy of tracking over objects in the training data", {0.0, 84.0, "objects"},
+                 {from, std::max(from + kStep, kStep * std::ceil(most.y / kStep)), "accuracy"});
+  chart.line(line, color_of_line(0), "accuracy");
+  return chart.picture();
+}
+
 }  // namespace
 
 void report_activity(const ActivityExperiment& experiment, const ExperimentOutput& output,
@@ -38,8 +51,6 @@ void report_activity(const ActivityExperiment& experiment, const ExperimentOutpu
   ResultTable table{{"map learned from", "accuracy", "MOTA", "IDF1", "TP", "TN", "FP", "FN",
                      "identity switches", "p against none"},
                     {}};
-  PngChart chart("Accuracy of tracking over objects in the training data", {0.0, 84.0, "objects"},
-                 {0.5, 1.0, "accuracy"});
   std::vector<cv::Point2d> line;
   nlohmann::ordered_json json;
   json["worlds"] = all.size(), json["frames"] = experiment.frames;
@@ -59,8 +70,7 @@ void report_activity(const ActivityExperiment& experiment, const ExperimentOutpu
         {{"objects", kObjects[k]}, {"accuracy", accuracy}, {"mean_gain", mean_of(gain)}, {"p", p}});
     line.emplace_back(kObjects[k], accuracy);
   }
-  chart.line(line, color_of_line(0), "accuracy");
-  cv::imwrite(output.path("_objects.png"), chart.picture());
+  cv::imwrite(output.path("_objects.png"), draw_accuracy(line));
   std::vector<double> cells, degrees;
   int close = 0, right = 0, sp = 0, sn = 0;
   for (const nlohmann::ordered_json& one : all) {
