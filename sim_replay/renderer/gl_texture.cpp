@@ -89,11 +89,15 @@ GlQuickSampler::GlQuickSampler() {
   glSamplerParameteri(id_, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
 }
 
-GlTexture::GlTexture(const Texels& picture) {
-  glCreateTextures(GL_TEXTURE_2D, 1, &id_);
-  glTextureStorage2D(id_, 1, GL_RGBA8, picture.width, picture.height);
-  const Bytes bytes = bytes_of(picture, 1.0F, 1.0F);
-  glTextureSubImage2D(id_, 0, 0, 0, picture.width, picture.height, GL_RGBA, GL_UNSIGNED_BYTE, bytes.data());
+GlMasks::GlMasks(const std::vector<const Texels*>& layers) {
+  const int width = layers.front()->width, height = layers.front()->height;
+  glCreateTextures(GL_TEXTURE_2D_ARRAY, 1, &id_);
+  glTextureStorage3D(id_, 1, GL_RGBA8, width, height, static_cast<GLsizei>(layers.size()));
+  for (std::size_t i = 0; i < layers.size(); ++i) {
+    const Bytes bytes = bytes_of(*layers[i], 1.0F, 1.0F);
+    glTextureSubImage3D(id_, 0, 0, 0, static_cast<GLint>(i), width, height, 1, GL_RGBA, GL_UNSIGNED_BYTE,
+                        bytes.data());
+  }
   for (const GLenum filter : std::initializer_list<GLenum>{GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER}) {
     glTextureParameteri(id_, filter, GL_LINEAR);
   }

@@ -44,13 +44,13 @@ class GlTextureArray {
   GLuint id_ = 0;
 };
 
-/// A single picture, not tiled, bilinear; texel values 0 to 1.
-class GlTexture {
+/// A stack of pictures of one size, not tiled, bilinear; texel values 0 to 1.
+class GlMasks {
  public:
-  explicit GlTexture(const Texels& picture);
-  ~GlTexture() { glDeleteTextures(1, &id_); }
-  GlTexture(const GlTexture&) = delete;
-  GlTexture& operator=(const GlTexture&) = delete;
+  explicit GlMasks(const std::vector<const Texels*>& layers);
+  ~GlMasks() { glDeleteTextures(1, &id_); }
+  GlMasks(const GlMasks&) = delete;
+  GlMasks& operator=(const GlMasks&) = delete;
   void bind(GLuint unit) const { glBindTextureUnit(unit, id_); }
 
  private:

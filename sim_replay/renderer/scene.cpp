@@ -122,11 +122,12 @@ void Scene::set_ground(const GroundMask& mask) {
   ground_.set("mask_corner", mask.corner_m);
   ground_.set("mask_scale", 1.0F / mask.size_m);
   grounds_ = std::make_unique<GlTextureArray>(layers, Coverage::plain);
-  light_mask_ = std::make_unique<GlTexture>(mask.light);
-  kind_mask_ = std::make_unique<GlTexture>(mask.kinds);
+  masks_ = std::make_unique<GlMasks>(std::vector<const Texels*>{&mask.light, &mask.kinds});
   glCreateVertexArrays(1, &ground_array_);
   ground_corners_ = buffer(bytes_of(ground_mesh_.vertices()), nullptr, GL_DYNAMIC_STORAGE_BIT);
-  ground_triangles_ = buffer(bytes_of(ground_mesh_.indices()), ground_mesh_.indices().data(), 0);
+  ground_triangles_ =
+      buffer(static_cast<GLsizeiptr>(GroundMesh::most_indices() * sizeof(std::uint32_t)), nullptr,
+             GL_DYNAMIC_STORAGE_BIT);
   glVertexArrayVertexBuffer(ground_array_, 0, ground_corners_, 0, sizeof(GroundVertex));
   glVertexArrayElementBuffer(ground_array_, ground_triangles_);
   attribute(ground_array_, 0, 3, GL_FLOAT, GL_FALSE, offsetof(GroundVertex, from_camera));
@@ -214,14 +215,15 @@ void Scene::draw_ground(const SceneView& view, const SceneLight& light, const Wi
   const double half_view_rad = std::atan(0.5 * wide.width_px / wide.fx_px) + 0.35;
   ground_mesh_.place(world_.terrain, view.pose.p_WC, std::atan2(forward.y, forward.x), half_view_rad,
                      to_sun_);
+  ground_mesh_.trim(view.clip_from_camera);
   glNamedBufferSubData(ground_corners_, 0, bytes_of(ground_mesh_.vertices()), ground_mesh_.vertices().data());
+  glNamedBufferSubData(ground_triangles_, 0, bytes_of(ground_mesh_.indices()), ground_mesh_.indices().data());
   set_light(ground_, light);
   ground_.set("clip_from_camera", view.clip_from_camera);
   ground_.set("camera_at", glm::vec2(view.pose.p_WC));
   ground_.set("pixel_rad", static_cast<float>(1.0 / wide.fx_px));
   grounds_->bind(0);
-  light_mask_->bind(1);
-  kind_mask_->bind(2);
+  masks_->bind(1);
   ground_.use();
   glBindVertexArray(ground_array_);
   glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(ground_mesh_.indices().size()), GL_UNSIGNED_INT, nullptr);

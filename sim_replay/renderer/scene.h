@@ -42,7 +42,7 @@ class Scene {
   GlProgram ground_, solid_, leaves_, sky_;
   std::unique_ptr<GlTextureArray> grounds_, surfaces_, noise_;
   GlQuickSampler leaf_sampler_;
-  std::unique_ptr<GlTexture> light_mask_, kind_mask_;
+  std::unique_ptr<GlMasks> masks_;
   GroundMesh ground_mesh_;
   ObjectMesh objects_;
   GLuint ground_array_ = 0, object_array_ = 0, empty_array_ = 0;

@@ -28,8 +28,7 @@ in float v_slope;
 layout(location = 0) out vec4 colour;
 layout(location = 1) out uint object;
 layout(binding = 0) uniform sampler2DArray kinds;
-layout(binding = 1) uniform sampler2D light_mask;
-layout(binding = 2) uniform sampler2D kind_mask;
+layout(binding = 1) uniform sampler2DArray masks;  // of light, of kinds
 uniform vec2 mask_corner, mask_scale;
 uniform vec3 to_sun, sun, sky, haze;
 uniform float haze_per_m, pixel_rad;
@@ -56,8 +55,8 @@ void main() {
   float lod = log2(max(0.5 * along_m, across_m) / texel_m);
   vec2 off = normalize(v_p.xy) * (0.25 * along_m);
   vec2 in_mask = (v_at - mask_corner) * mask_scale;
-  vec4 light = texture(light_mask, in_mask);
-  vec4 which = texture(kind_mask, in_mask);
+  vec4 light = texture(masks, vec3(in_mask, 0.0));
+  vec4 which = texture(masks, vec3(in_mask, 1.0));
   // llvmpipe runs both sides of an if, but leaves a loop: most pixels go round once.
   vec3 share = vec3((1.0 - which.r) * (1.0 - which.g), which.r * (1.0 - which.g), which.g);
   vec4 ground = vec4(0.0);
