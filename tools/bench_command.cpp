@@ -16,6 +16,7 @@
 #include "tools/bench_flow.h"
 #include "tools/bench_motion.h"
 #include "tools/bench_reflex.h"
+#include "tools/bench_render.h"
 #include "tools/bench_robot.h"
 #include "tools/bench_segment.h"
 #include "tools/bench_templates.h"
@@ -74,6 +75,16 @@ std::vector<cv::Mat> load_frames(const BenchOptions& options, int most) {
   return frames;
 }
 
+/// A machine without OpenGL has no simulator, but all the other figures.
+void add_render_fps(nlohmann::ordered_json& result) {
+  try {
+    result["render_frames_per_s"] = bench_render_fps();
+  } catch (const FatalError& error) {
+    if (error.code() != kExitNoDevice) throw;
+    fmt::print(stderr, "bench: no render_frames_per_s: {}\n", error.what());
+  }
+}
+
 nlohmann::ordered_json measure(const BenchOptions& options) {
   const Configuration standard;
   const Configuration thesis = thesis_configuration();
@@ -101,6 +112,7 @@ nlohmann::ordered_json measure(const BenchOptions& options) {
   result["dstar_speedup_uniform"] = dstar.dstar_speedup_uniform;
   result["dstar_worst_over_scratch"] = dstar.dstar_worst_over_scratch;
   result["motion_step_fps"] = bench_motion_fps();
+  add_render_fps(result);
   result["allocations_per_tick"] = tick.allocations_per_tick;
   result["rss_mb"] = rss_mb;
   result["replay_over_realtime"] = bench_replay_over_realtime(frames, standard);

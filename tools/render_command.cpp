@@ -71,7 +71,7 @@ int render(const RenderArguments& arguments) {
   const RobotSetup setup = make_setup(configuration, sim_materials(configuration, {}), "simulation");
   const fs::path folder = make_folder(arguments.folder);
   const fs::path frames = make_folder(folder / "frames"), truth = make_folder(folder / "truth");
-  SimFeed feed(setup, world, arguments.seed, true);
+  SimFeed feed(setup, world, arguments.seed, false);
   TrailDriver driver(world, configuration.vehicle.track_width_m);
   write_text(folder / "camera.yaml", builtin_calibration());
   write_text(truth / "labels.toml", simulator_label_table());
@@ -79,12 +79,14 @@ int render(const RenderArguments& arguments) {
   int frame = 0;
   double cpu_s = 0.0;
   for (; frame < arguments.frames && !driver.arrived(feed.vehicle()); ++frame) {
+    const bool truth_due = frame % arguments.truth_every == 0;
+    feed.keep_truth(truth_due);
     const double begin_s = process_cpu_s();
     feed.advance(input, [&](const TickInput&) { return driver.drive(feed.vehicle()); });
     cpu_s += process_cpu_s() - begin_s;
     const auto& jpeg = input.frame->bytes;
     write(frames / fmt::format("{:06}.jpg", frame), jpeg.data(), jpeg.size());
-    if (frame % arguments.truth_every == 0) {
+    if (truth_due) {
       write_picture(truth / fmt::format("{:06}.png", frame),
                     label_picture(feed.rendered(), {input.frame->width_px, input.frame->height_px}));
     }

@@ -43,6 +43,9 @@ class SimFeed {
     take_picture(input);
   }
 
+  /// Whether the next pictures have their truth.
+  void keep_truth(bool truth) { truth_ = truth; }
+
   const World& world() const { return world_; }
   const SimVehicle& vehicle() const { return vehicle_; }
   const RenderCamera& camera() const { return camera_; }
