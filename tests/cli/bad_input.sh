@@ -148,7 +148,9 @@ expect 69 'nocan0' "$tool" sim "$courses/forest.toml" --devices --config nocan.t
 expect 64 'devices requires --config' "$tool" sim "$courses/forest.toml" --devices
 expect 64 'excludes --devices' "$tool" sim "$courses/forest.toml" --devices --record run.lcm
 expect 74 'absent/run.lcm' "$tool" sim "$courses/orange_fence.toml" --seconds 1 --record absent/run.lcm
-expect 66 'segmentation_' "$tool" experiment navigation "$courses/forest.toml" -o experiment
+expect 66 'segmentation_default' "$tool" experiment navigation "$courses/forest.toml" -o experiment
+expect 66 'segmentation_no_reverse_flow' "$tool" experiment navigation "$courses/forest.toml" --numbers thesis -o experiment
+expect 64 'numbers.*default.*thesis' "$tool" experiment navigation "$courses/forest.toml" --numbers other -o experiment
 
 expect 64 'north_m' "$tool" send go-to 1
 expect 64 'ADDRESS:PORT' "$tool" send --to nowhere stop
