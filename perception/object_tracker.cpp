@@ -19,8 +19,11 @@ constexpr float kSmallestHalf_px = 4.0F;
 constexpr double kOffItsPlace = 0.4;  ///< way that takes an object off its own place, in parts of its size
 constexpr float kSteadyFrames = 15.0F;
 constexpr float kSteadyNew = 0.85F, kSteady = 0.4F;  ///< see Object::steadiness()
-constexpr int kUnseenNew = 2;          ///< frames that an object not yet confirmed may be unseen for
-constexpr double kStraightness = 0.4;  ///< way made over way that its speed promises
+constexpr int kUnseenNew = 2;  ///< frames that an object not yet confirmed may be unseen for
+/// What has not got so far, or its own size, away from home in so many frames sways there.
+constexpr int kHomeFrames = 30;
+constexpr double kTravelsFromHome = 3.0;  ///< in ways that an object makes before it is told
+constexpr double kStraightness = 0.4;     ///< way made over way that its speed promises
 
 }  // namespace
 
@@ -60,6 +63,7 @@ void ObjectTracker::predict(const Eigen::Matrix3d& H_now_then, const MotionPrior
     if (!object.alive) continue;
     object.filter.predict(H_now_then, prior);
     object.place_px = transformed(H_now_then, object.place_px);
+    object.home_px = transformed(H_now_then, object.home_px);
     object.last_seen_px = transformed(H_now_then, object.last_seen_px);
     object.track.at_px = object.filter.at_px(), object.track.v_px = object.filter.v_px();
     object.alive = inside(object.track.at_px);
@@ -158,9 +162,10 @@ float ObjectTracker::Object::steadiness() const {
 }
 
 /// Errors of the flow point anywhere, and are gone in the next frame. What covers and uncovers the ground, or
-/// stands above it, seems to move, to and fro with the camera, but stays. What moves keeps on, and gets off
-/// its place, by both measures of its way: features that are found now at one end of a roof and now at the
-/// other make the place jump, but do not fly there.
+/// stands above it, seems to move, to and fro with the camera, but stays: on its place or, if its swings take
+/// it off that, about its home. What moves keeps on, and gets off its place, by both measures of its way:
+/// features that are found now at one end of a roof and now at the other make the place jump, but do not fly
+/// there.
 void ObjectTracker::judge(Object& object, double demand) {
   const Track& track = object.track;
   const double way_px = std::min(distance_px(track.at_px, object.place_px),
@@ -183,6 +188,10 @@ void ObjectTracker::judge(Object& object, double demand) {
   if (object.confirmed && off_its_place && object.steadiness() >= kSteady) {
     object.place_px = track.at_px, object.dwell_frames = 0, object.flown_px = {};
   }
+  ++object.home_frames;
+  if (distance_px(track.at_px, object.home_px) >=
+      std::max(kTravelsFromHome * params_.confirm_travel_px, size_px))
+    object.home_px = track.at_px, object.home_frames = 0;
   if (track.unseen_frames > params_.forget_frames) object.alive = false;
 }
 
@@ -215,6 +224,7 @@ void ObjectTracker::spawn(std::span<const MotionCluster> clusters, const MotionP
     if (!is_new) continue;
     // The flow followed it here: it was there, and seen, a frame before.
     object->place_px = {peak.at_px.x_px - peak.v_px.x_px, peak.at_px.y_px - peak.v_px.y_px};
+    object->home_px = object->place_px, object->home_frames = 0;
     remember(*object, peak.v_px);
     object->seen_frames = object->track.age_frames = 1;
   }
@@ -227,7 +237,8 @@ void ObjectTracker::tell() {
     if (!object.alive || !object.confirmed || object.track.unseen_frames > params_.coast_frames) continue;
     // Where it is by now can be foretold only of what moved steadily.
     const bool foretold = object.track.unseen_frames == 0 || object.steadiness() >= kSteadyNew;
-    if (foretold && object.dwell_frames <= params_.dwell_frames) shown_.push_back(k);
+    const bool stays = object.dwell_frames > params_.dwell_frames || object.home_frames > kHomeFrames;
+    if (foretold && !stays) shown_.push_back(k);
   }
   std::sort(shown_.begin(), shown_.end(),
             [this](std::size_t a, std::size_t b) { return objects_[a].track.id < objects_[b].track.id; });

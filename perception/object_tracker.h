@@ -93,6 +93,8 @@ class ObjectTracker {
     Point2f place_px;          ///< where it was when it last got off its place, carried along with the ground
     int dwell_frames = 0;      ///< frames since then
     Point2f flown_px;          ///< and the way that its features' motion since then sums up to
+    Point2f home_px;           ///< where it was when it last got away from home, carried along likewise
+    int home_frames = 0;       ///< frames since then
     Point2f mean_v_px;         ///< of what its features showed of late,
     float mean_v2_px2 = 0.0F;  ///< and of its square
     Point2f last_seen_px;

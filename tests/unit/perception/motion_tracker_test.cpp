@@ -103,6 +103,25 @@ TEST(MotionTracker, DoesNotTellWhatOnlySwaysToAndFro) {
   EXPECT_LE(told, 20);  // of 400
 }
 
+/// Swings that take a thing off its place, but not away from home: to and fro by about its size.
+TEST(MotionTracker, SoonLetsGoOfWhatSwaysFar) {
+  struct Sway {
+    double radius_px, swing_px, rad_per_frame;
+  };
+  for (const Sway& sway : {Sway{8.0, 15.0, 0.1}, Sway{16.0, 20.0, 0.2}}) {
+    FlowScene scene(42);
+    scene.things = {{320.0, 240.0, 0.0, 0.0, sway.radius_px}};
+    MotionTracker motion = tracker();
+    int told = 0;
+    for (int frame = 0; frame < 200; ++frame) {
+      scene.things[0].vx_px = 0.5 * sway.swing_px * sway.rad_per_frame * std::sin(sway.rad_per_frame * frame);
+      told += static_cast<int>(motion.update(scene.next()).tracks.size());
+    }
+    EXPECT_GT(told, 0) << "else another rule tells it";
+    EXPECT_LE(told, 30);
+  }
+}
+
 /// A lorry is longer than the kernel of mean-shift, and shows corners at its ends alone.
 TEST(MotionTracker, TellsALongThingOnce) {
   FlowScene scene(38);
