@@ -201,9 +201,9 @@ int run_navigation_experiment(const NavigationExperiment& experiment) {
   std::vector<NavigationRun> runs = read_runs(log);
   const std::vector<Case> cases = missing_cases(experiment, arms, runs);
   std::map<std::string, std::vector<std::uint8_t>> mixtures;
-  for (const std::string& arm : names_of(arms)) {
-    mixtures[arm] =
-        read_file<std::vector<std::uint8_t>>(experiment.folder + "/segmentation_" + arm + ".mixture");
+  for (const Arm& arm : arms) {
+    mixtures[arm.name] =
+        read_file<std::vector<std::uint8_t>>(experiment.folder + "/segmentation_" + arm.name + ".mixture");
   }
   const std::size_t all = runs.size() + cases.size();
   std::ofstream file(log, std::ios::app);
