@@ -17,6 +17,7 @@
 #include "planning/dstar.h"
 #include "tools/cpu_time.h"
 #include "tools/movingai.h"
+#include "tools/number_checks.h"
 
 namespace hindsight::tools {
 
@@ -169,7 +170,7 @@ void add_eval_planner(CLI::App& eval, Run& run) {
       eval.add_subcommand("planner", "D* on Moving AI maps: are its paths optimal, how long does it take");
   app->add_option("--maps", options->maps, "folder of .map and .map.scen files")->required();
   app->add_option("--limit", options->limit, "at most so many problems, spread evenly (0: all)")
-      ->check(CLI::NonNegativeNumber);
+      ->check(zero_or_above());
   app->add_flag("--json", options->json, "print JSON");
   app->callback([&run, options] {
     run = [options] {

@@ -19,6 +19,7 @@
 #include "perception/camera_model.h"
 #include "perception/road_horizon.h"
 #include "tools/builtin_config.h"
+#include "tools/number_checks.h"
 #include "tools/road_drawing.h"
 #include "tools/road_evaluation.h"
 #include "tools/road_picture.h"
@@ -129,7 +130,7 @@ void add_eval_road(CLI::App& eval, Run& run) {
                   "all or some "
                   "of them, or polygons.json; may be that of the frames")
       ->required();
-  app->add_option("--rate", options->rate_hz, "frames a second [Hz]")->required()->check(CLI::PositiveNumber);
+  app->add_option("--rate", options->rate_hz, "frames a second [Hz]")->required()->check(above_zero());
   app->add_option("--method", options->method,
                   "ours: the default; thesis: its numbers; constant: the average road, no vision")
       ->capture_default_str()

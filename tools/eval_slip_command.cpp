@@ -13,6 +13,7 @@
 #include "config/exit_code.h"
 #include "perception/slip_detector.h"
 #include "tools/motor_csv.h"
+#include "tools/number_checks.h"
 #include "tools/slip_score.h"
 
 namespace hindsight::tools {
@@ -82,9 +83,7 @@ void add_eval_slip(CLI::App& eval, Run& run) {
       *eval.add_subcommand("slip", "how often the slip detector speaks on recorded motor currents");
   const auto options = std::make_shared<Options>();
   slip.add_option("--csv", options->files, "recordings, each with a line of column names")->required();
-  slip.add_option("--rate", options->rate_hz, "samples a second [Hz]")
-      ->required()
-      ->check(CLI::PositiveNumber);
+  slip.add_option("--rate", options->rate_hz, "samples a second [Hz]")->required()->check(above_zero());
   slip.add_option("--columns", options->columns,
                   "names of the columns: left and right current [A], then left and right wheel speed [m/s]; "
                   "found by name if not given")

@@ -21,6 +21,7 @@
 #include "tools/cpu_time.h"
 #include "tools/eval_tracks_score.h"
 #include "tools/image_folder.h"
+#include "tools/number_checks.h"
 #include "tools/report_style.h"
 #include "tools/report_tracks.h"
 #include "tools/video_tracker.h"
@@ -161,7 +162,7 @@ void add_eval_tracks(CLI::App& eval, Run& run) {
       ->required();
   app.add_option("--scale", options->scale, "of the truth's numbers to the frames' pixels")
       ->capture_default_str()
-      ->check(CLI::PositiveNumber);
+      ->check(above_zero());
   app.add_option("--activity", options->activity,
                  "use an activity map learned from a video that began with the same view")
       ->type_name("MAP");

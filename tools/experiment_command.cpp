@@ -11,6 +11,7 @@
 #include "tools/experiment_segmentation.h"
 #include "tools/experiment_slip.h"
 #include "tools/experiment_traceback.h"
+#include "tools/number_checks.h"
 
 namespace hindsight::tools {
 namespace {
@@ -36,10 +37,10 @@ void add_segmentation(CLI::App& experiments, Run& run) {
       ->check(CLI::Range(1, 20));
   command->add_option("--frames", e->frames, "Labelled frames over all drives")
       ->capture_default_str()
-      ->check(CLI::PositiveNumber);
+      ->check(above_zero());
   command->add_option("--every", e->every, "Of so many frames, one is labelled")
       ->capture_default_str()
-      ->check(CLI::PositiveNumber);
+      ->check(above_zero());
   command->add_option("--seed", e->seed, "Of the first drive's world; the others follow")
       ->capture_default_str();
   command->callback([e, &run] { run = [e] { return run_segmentation_experiment(*e); }; });
@@ -57,18 +58,16 @@ void add_navigation(CLI::App& experiments, Run& run) {
                    "Whose configuration drives: the default's, the default's without texture, or the thesis'")
       ->capture_default_str()
       ->check(CLI::IsMember({"default", "color", "thesis"}));
-  command->add_option("--worlds", e->worlds, "Worlds")->capture_default_str()->check(CLI::PositiveNumber);
+  command->add_option("--worlds", e->worlds, "Worlds")->capture_default_str()->check(above_zero());
   command->add_option("--starts", e->starts, "Starts in each, within 5 m")
       ->capture_default_str()
-      ->check(CLI::PositiveNumber);
+      ->check(above_zero());
   command->add_option("--seed", e->first_seed, "Of the first world; the others follow")
       ->capture_default_str();
-  command->add_option("--seconds", e->seconds, "Longest run [s]")
-      ->capture_default_str()
-      ->check(CLI::PositiveNumber);
+  command->add_option("--seconds", e->seconds, "Longest run [s]")->capture_default_str()->check(above_zero());
   command->add_option("--processes", e->processes, "Runs side by side")
       ->capture_default_str()
-      ->check(CLI::PositiveNumber);
+      ->check(above_zero());
   command->callback([e, &run] { run = [e] { return run_navigation_experiment(*e); }; });
 }
 
@@ -77,22 +76,20 @@ void add_slip(CLI::App& experiments, Run& run) {
   CLI::App* command =
       add_one(experiments, "slip", "How soon wheel slip is told, and how often where there is none",
               e->course, e->folder);
-  command->add_option("--slips", e->slips, "At least so many")
-      ->capture_default_str()
-      ->check(CLI::PositiveNumber);
+  command->add_option("--slips", e->slips, "At least so many")->capture_default_str()->check(above_zero());
   command->add_option("--hours", e->hours, "On ordinary ground [h]")
       ->capture_default_str()
-      ->check(CLI::PositiveNumber);
+      ->check(above_zero());
   command->add_option("--seen-hours", e->seen_hours, "Rendered, besides [h]")
       ->capture_default_str()
-      ->check(CLI::PositiveNumber);
+      ->check(above_zero());
   command->add_option("--seed", e->seed, "Of the first drive; the others follow")->capture_default_str();
   command->add_option(
       "--csv", e->recordings,
       "Recordings of motor currents, nothing known to slip, for a further column of false alarms");
   command->add_option("--rate", e->recordings_hz, "Their samples a second [Hz]")
       ->capture_default_str()
-      ->check(CLI::PositiveNumber);
+      ->check(above_zero());
   command->callback([e, &run] { run = [e] { return run_slip_experiment(*e); }; });
 }
 
@@ -102,11 +99,11 @@ void add_failsafe(CLI::App& experiments, Run& run) {
                               e->course, e->folder);
   command->add_option("--drives", e->drives, "For each fault, each in a world of its own")
       ->capture_default_str()
-      ->check(CLI::PositiveNumber);
+      ->check(above_zero());
   command
       ->add_option("--cruise", e->cruise_mps, "The fault comes once it has been so fast for a second [m/s]")
       ->capture_default_str()
-      ->check(CLI::PositiveNumber);
+      ->check(above_zero());
   command->add_option("--seed", e->seed, "Of the first drive; the others follow")->capture_default_str();
   command->callback([e, &run] { run = [e] { return run_failsafe_experiment(*e); }; });
 }
@@ -125,7 +122,7 @@ void add_activity(CLI::App& experiments, Run& run) {
       ->check(CLI::Range(20, 100000));
   command->add_option("--processes", e->processes, "Worlds side by side")
       ->capture_default_str()
-      ->check(CLI::PositiveNumber);
+      ->check(above_zero());
   command->add_option("--seed", e->seed, "Of the first world; the others follow")->capture_default_str();
   command->callback([e, &run] { run = [e] { return run_activity_experiment(*e); }; });
 }
@@ -156,7 +153,7 @@ void add_colours(CLI::App& experiments, Run& run) {
   command->add_option("-o,--output", e->folder, "Folder for table and figure")->required()->type_name("DIR");
   command->add_option("--frames", e->frames, "Rendered of each course")
       ->capture_default_str()
-      ->check(CLI::PositiveNumber);
+      ->check(above_zero());
   command->add_option("--seed", e->seed, "Of the worlds")->capture_default_str();
   command->callback([e, &run] { run = [e] { return run_colours_experiment(*e); }; });
 }

@@ -11,6 +11,7 @@
 #include "config/exit_code.h"
 #include "daemon/run_setup.h"
 #include "tools/builtin_config.h"
+#include "tools/number_checks.h"
 #include "tools/track_can_encoder.h"
 
 namespace hindsight::tools {
@@ -46,9 +47,10 @@ int import(const ImportArguments& arguments) {
   options.build_id = build_id();
   TrackCanEncoder encoder = encoder_for(arguments);
   const ImportSummary summary = import_recording(options, encoder, show);
-  fmt::print("{}: {} frames, {} track rows, {} CAN frames, {} edges, {} fixes, {} commands, {:.1f} s, {:.1f} MB\n",
-             arguments.output, summary.frames, summary.rows, summary.can_frames, summary.edges, summary.fixes,
-             summary.commands, summary.duration_s, static_cast<double>(summary.bytes) * 1e-6);
+  fmt::print(
+      "{}: {} frames, {} track rows, {} CAN frames, {} edges, {} fixes, {} commands, {:.1f} s, {:.1f} MB\n",
+      arguments.output, summary.frames, summary.rows, summary.can_frames, summary.edges, summary.fixes,
+      summary.commands, summary.duration_s, static_cast<double>(summary.bytes) * 1e-6);
   return kExitOk;
 }
 
@@ -68,12 +70,15 @@ constexpr const char* kColumns =
 
 void add_import(CLI::App& app, Run& run) {
   auto arguments = std::make_shared<ImportArguments>();
-  CLI::App* command = app.add_subcommand("import", "Make a run log of pictures or a video and a track of the other sensors");
-  command->add_option("--frames", arguments->frames, "Folder of numbered pictures, or a video file")->required();
-  command->add_option("--rate", arguments->rate_hz, "Frames a second [Hz]")->required()->check(CLI::PositiveNumber);
+  CLI::App* command =
+      app.add_subcommand("import", "Make a run log of pictures or a video and a track of the other sensors");
+  command->add_option("--frames", arguments->frames, "Folder of numbered pictures, or a video file")
+      ->required();
+  command->add_option("--rate", arguments->rate_hz, "Frames a second [Hz]")->required()->check(above_zero());
   command->add_option("--camera", arguments->camera, "Calibration, OpenCV's or ROS's YAML")->required();
   command->add_option("--track", arguments->track, "CSV with the other sensors' samples");
-  command->add_option("--config", arguments->configuration_files, "The vehicle's configuration, for its CAN protocol");
+  command->add_option("--config", arguments->configuration_files,
+                      "The vehicle's configuration, for its CAN protocol");
   command->add_option("-o,--output", arguments->output, "Run log to write")->required()->type_name("RUN.lcm");
   command->footer(kColumns);
   command->callback([arguments, &run] { run = [arguments] { return import(*arguments); }; });

@@ -16,6 +16,7 @@
 #include "sim_replay/world/course.h"
 #include "tools/builtin_config.h"
 #include "tools/cpu_time.h"
+#include "tools/number_checks.h"
 #include "tools/road_labels.h"
 #include "tools/sim_feed.h"
 #include "tools/sim_run.h"
@@ -116,11 +117,11 @@ void add_render(CLI::App& app, Run& run) {
   command
       ->add_option("--frames", arguments->frames, "At most so many; the drive ends at the trail's end, too")
       ->capture_default_str()
-      ->check(CLI::PositiveNumber);
+      ->check(above_zero());
   command
       ->add_option("--truth-every", arguments->truth_every, "Of so many frames, one has its labels written")
       ->capture_default_str()
-      ->check(CLI::PositiveNumber);
+      ->check(above_zero());
   command->callback([arguments, &run] { run = [arguments] { return render(*arguments); }; });
 }
 

@@ -18,6 +18,7 @@
 #include "drivers/monotonic_clock.h"
 #include "sim_replay/run_log_writer.h"
 #include "sim_replay/world/course.h"
+#include "tools/number_checks.h"
 #include "tools/sim_devices.h"
 #include "tools/sim_run.h"
 
@@ -130,14 +131,14 @@ void add_sim(CLI::App& app, Run& run) {
       ->capture_default_str();
   command->add_option("--seconds", arguments->seconds, "Longest run, in the world's time [s]")
       ->capture_default_str()
-      ->check(CLI::PositiveNumber);
+      ->check(above_zero());
   CLI::Option* config =
       command->add_option("--config", arguments->configuration_files, "The robot's configuration");
   CLI::Option* record =
       command->add_option("--record", arguments->record, "Run log to write")->type_name("RUN.lcm");
   CLI::Option* pace =
       command->add_option("--pace", arguments->pace, "Times real time; as fast as it goes by default")
-          ->check(CLI::PositiveNumber);
+          ->check(above_zero());
   command
       ->add_flag(
           "--devices", arguments->devices,

@@ -150,6 +150,8 @@ expect 64 'excludes --devices' "$tool" sim "$courses/forest.toml" --devices --re
 expect 74 'absent/run.lcm' "$tool" sim "$courses/orange_fence.toml" --seconds 1 --record absent/run.lcm
 expect 66 'segmentation_default' "$tool" experiment navigation "$courses/forest.toml" -o experiment
 expect 66 'segmentation_no_reverse_flow' "$tool" experiment navigation "$courses/forest.toml" --numbers thesis -o experiment
+expect 64 'seconds: must be a number above 0, not nan' "$tool" sim "$courses/forest.toml" --seconds nan
+expect 64 'starts: must be a number above 0, not 0' "$tool" experiment navigation "$courses/forest.toml" --starts 0 -o experiment
 expect 64 'numbers.*default.*thesis' "$tool" experiment navigation "$courses/forest.toml" --numbers other -o experiment
 
 expect 64 'north_m' "$tool" send go-to 1
